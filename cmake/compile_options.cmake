@@ -1,0 +1,16 @@
+# Language level, warnings and sanitizers shared by every target of the project.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+set(CBVH_SANITIZE "" CACHE STRING "Sanitizers for every target, as -fsanitize= takes them (address,undefined or thread)")
+
+add_library(cbvh_options INTERFACE)
+# Digests must not depend on the compiler: no fused multiply-add behind our back (DESIGN section 6, note d).
+target_compile_options(cbvh_options INTERFACE -ffp-contract=off
+  $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Werror>)
+if(CBVH_SANITIZE)
+  target_compile_options(cbvh_options INTERFACE $<BUILD_INTERFACE:-fsanitize=${CBVH_SANITIZE};-fno-omit-frame-pointer;-fno-sanitize-recover=all>)
+  target_link_options(cbvh_options INTERFACE $<BUILD_INTERFACE:-fsanitize=${CBVH_SANITIZE}>)
+endif()
