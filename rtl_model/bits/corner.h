@@ -1,0 +1,58 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace cbvh::rtl {
+
+/// The rare branches of the design. Every one is announced where it is decided, so that a regression can prove that it
+/// was taken.
+enum class Corner : std::uint8_t {
+  axis_not_finite,
+  axis_inverted,
+  axis_beyond_exactness,
+  axis_scale_below_minimum,
+  axis_too_wide,
+  axis_negative_inexact,  ///< floor of a negative coordinate that is not on the grid
+  axis_all_bits_dropped,  ///< the cell is larger than the coordinate
+  axis_full_grid,         ///< the child spans all cells of the grid
+  axis_minimum_scale,     ///< the own grid is held at the minimum scale
+  axis_edge_infinite,
+  axis_edge_subnormal,
+  estimate_one_coarser,  ///< the size alone would be one scale too fine
+  estimate_minimum_scale,
+  decode_full_span,   ///< an upper code equal to the parent's lower one: s = 2^N
+  coarsen_rounds_up,  ///< an upper edge that moves when it is re-encoded
+  child_scale_changed,
+  child_lower_changed,  ///< only the lower index changed: matters to relative codes alone
+  stack_overflow,
+  stack_underflow,
+  collector_row_output,
+  collector_queue_full,
+  collector_flush,
+  backtrack_recurses,
+  backtrack_both_children,
+  backtrack_stops,            ///< a re-encoded pair none of whose children changed
+  combiner_merges,            ///< a final pair joins the line that is being combined
+  combiner_flushes_for_read,  ///< a repair wants the line that is being combined
+  stream_single_pair,
+  stream_stops_on_error,
+  count
+};
+
+constexpr std::size_t kCorners = static_cast<std::size_t>(Corner::count);
+
+constexpr std::array<std::string_view, kCorners> kCornerNames = {
+    "axis_not_finite",        "axis_inverted",         "axis_beyond_exactness",     "axis_scale_below_minimum",
+    "axis_too_wide",          "axis_negative_inexact", "axis_all_bits_dropped",     "axis_full_grid",
+    "axis_minimum_scale",     "axis_edge_infinite",    "axis_edge_subnormal",       "estimate_one_coarser",
+    "estimate_minimum_scale", "decode_full_span",      "coarsen_rounds_up",         "child_scale_changed",
+    "child_lower_changed",    "stack_overflow",        "stack_underflow",           "collector_row_output",
+    "collector_queue_full",   "collector_flush",       "backtrack_recurses",        "backtrack_both_children",
+    "backtrack_stops",        "combiner_merges",       "combiner_flushes_for_read", "stream_single_pair",
+    "stream_stops_on_error"};
+
+}  // namespace cbvh::rtl
