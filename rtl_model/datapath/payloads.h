@@ -216,6 +216,31 @@ struct FinalPair {
   bool operator==(const FinalPair&) const = default;
 };
 
+/// Contexts that the stack of open subtrees can hold: a 30-bit Morton code allows 31 levels.
+constexpr int kContextStackDepth = 32;
+
+/// One cycle of the context stack: take up to two contexts away, then add one.
+struct StackOperation {
+  UInt<2> pops;     ///< 0..2
+  UInt<1> push;
+  Context context;  ///< pushed when `push` is set
+  static constexpr auto fields() {
+    return field_list("pops", &StackOperation::pops, "push", &StackOperation::push, "context", &StackOperation::context);
+  }
+  bool operator==(const StackOperation&) const = default;
+};
+
+/// What the operation took. A refused operation changes nothing.
+struct StackReply {
+  std::array<Context, 2> popped;  ///< the top first; zero where nothing was taken
+  UInt<6> depth;                  ///< contexts held afterwards
+  StatusBits status;              ///< ok, overflow or underflow
+  static constexpr auto fields() {
+    return field_list("popped", &StackReply::popped, "depth", &StackReply::depth, "status", &StackReply::status);
+  }
+  bool operator==(const StackReply&) const = default;
+};
+
 /// One 64-byte access. Reads return the line; writes change the pairs of the mask and return nothing.
 template <int N>
 struct MemoryRequest {
