@@ -2,6 +2,7 @@
 find_package(Threads REQUIRED)
 find_package(glm CONFIG REQUIRED)
 find_package(TinyGLTF CONFIG REQUIRED)
+find_package(tinyobjloader CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
