@@ -14,7 +14,8 @@ struct Parameters {
   bool operator==(const Parameters&) const = default;
 };
 
-/// A response, and the cycle in which it must appear when nothing stalls: cycles after the acceptance of the episode's first stimulus.
+/// A response, and the cycle in which it must appear when nothing stalls: cycles after the acceptance of the episode's
+/// first stimulus.
 template <class Response>
 struct Expected {
   Response response;

@@ -3,13 +3,14 @@
 
 #include "rtl_model/datapath/payloads.h"
 
-/// Stimuli and responses of the units that talk to memory: what happens at their ports, told in an order that no stall can change.
+/// Stimuli and responses of the units that talk to memory: what happens at their ports, told in an order that no stall
+/// can change.
 namespace cbvh::vectors {
 
 /// A step of an episode of the backtrack unit.
 template <int N>
 struct BacktrackStep {
-  rtl::UInt<1> repair;    ///< 0: memory holds `pair` at `index`; 1: do `job`
+  rtl::UInt<1> repair;  ///< 0: memory holds `pair` at `index`; 1: do `job`
   rtl::Pointer index;
   rtl::NodePair<N> pair;
   rtl::RepairJob job;
@@ -34,7 +35,8 @@ struct BacktrackEvent {
   bool operator==(const BacktrackEvent&) const = default;
 };
 
-/// What the stream compressor did to memory: its repairs in order, then memory as it is at the end, pair by pair, then the report.
+/// What the stream compressor did to memory: its repairs in order, then memory as it is at the end, pair by pair, then
+/// the report.
 template <int N>
 struct StreamEvent {
   enum class Kind : std::uint8_t { repair, memory, report };

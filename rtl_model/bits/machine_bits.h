@@ -46,6 +46,12 @@ constexpr Float32 lower_float(UInt<32, H> wire) {
   return Float32::of_raw(wire.raw());
 }
 
+/// A corner of control logic, as the condition of an `if`.
+template <class Bits>
+constexpr bool taken(Corner corner, bool condition) {
+  return bool(Bits::corner(corner, Bits::template U<1>::of_raw(condition)));
+}
+
 /// A literal: U<5> of 24 is constant<Bits, 5>(24).
 template <class Bits, int W>
 constexpr auto constant(std::uint64_t value) {

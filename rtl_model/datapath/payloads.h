@@ -206,12 +206,13 @@ struct FinalPair {
   std::array<Context, 2> before;  ///< zero where repair is clear
   std::array<Context, 2> after;
   UInt<1> last;       ///< the last pair of its tree
+  Context root;       ///< the root\'s context; zero unless `last` is set
   StatusBits status;  ///< of the tree so far; once it is not ok the pair is void and only `last` counts
   SceneRegisters registers;
   static constexpr auto fields() {
     return field_list("index", &FinalPair::index, "pair", &FinalPair::pair, "repair", &FinalPair::repair, "before",
-                      &FinalPair::before, "after", &FinalPair::after, "last", &FinalPair::last, "status",
-                      &FinalPair::status, "registers", &FinalPair::registers);
+                      &FinalPair::before, "after", &FinalPair::after, "last", &FinalPair::last, "root",
+                      &FinalPair::root, "status", &FinalPair::status, "registers", &FinalPair::registers);
   }
   bool operator==(const FinalPair&) const = default;
 };
@@ -221,11 +222,12 @@ constexpr int kContextStackDepth = 32;
 
 /// One cycle of the context stack: take up to two contexts away, then add one.
 struct StackOperation {
-  UInt<2> pops;     ///< 0..2
+  UInt<2> pops;  ///< 0..2
   UInt<1> push;
   Context context;  ///< pushed when `push` is set
   static constexpr auto fields() {
-    return field_list("pops", &StackOperation::pops, "push", &StackOperation::push, "context", &StackOperation::context);
+    return field_list("pops", &StackOperation::pops, "push", &StackOperation::push, "context",
+                      &StackOperation::context);
   }
   bool operator==(const StackOperation&) const = default;
 };

@@ -1,0 +1,189 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "rtl_model/compress/context_stack.h"
+#include "rtl_model/compress/treelet.h"
+#include "rtl_model/datapath/pair_compress.h"
+#include "rtl_model/kernel/channel.h"
+
+namespace cbvh::rtl {
+
+/// Collects arriving float pairs into treelets of up to D levels and compresses each treelet anew, top down, with 2^D -
+/// 1 node pair compressors: the context is estimated at its root only. Pairs at level D become final. The stack keeps
+/// the upper D - 1 levels of every open subtree as floats, and the contexts that the final pairs just below them were
+/// written with. Takes a pair a clock while its output queue has room for a row; a final pair leaves 6 D + 1 clocks
+/// after the arrival that made it so, or later, one a clock. Paper section 4.3, figure 8.
+template <class Bits, int N>
+class TreeletCollector {
+ public:
+  static constexpr int latency(int levels) { return 6 * levels + 1; }
+
+  /// `levels` is D, 1..8.
+  TreeletCollector(Channel<StreamJob>& jobs, Channel<FinalPair<N>>& finals, int levels)
+      : jobs_(jobs),
+        finals_(finals),
+        levels_(levels),
+        row_(std::size_t{1} << (levels - 1)),
+        queue_(final_queue_capacity(levels)),
+        flush_order_(pre_order(levels - 1)),
+        nodes_(2 * row_),
+        compressed_(2 * row_),
+        contexts_(4 * row_),
+        written_(4 * row_) {
+    for (std::size_t i = 0; i < stack_.capacity(); ++i)
+      stack_.push() = Entry{std::vector<Node>(row_), std::vector<Context>(row_)};
+    stack_.clear();
+  }
+
+  void tick() {
+    ++cycle_;
+    if (queue_.ready(cycle_) && finals_.can_push()) {
+      finals_.push(queue_.front());
+      queue_.pop();
+    }
+    if (!jobs_.can_pop()) return;
+    const std::size_t most = jobs_.front().root ? 2 * row_ - 1 : row_;
+    if (taken<Bits>(Corner::collector_queue_full, queue_.free() < most)) return;
+    accept(jobs_.pop());
+  }
+  void commit(CommitKey) {}
+
+ private:
+  struct Node {
+    FloatPair pair;
+    Pointer index;
+  };
+  struct Entry {
+    std::vector<Node> nodes;        ///< the upper D - 1 levels, by heap position
+    std::vector<Context> contexts;  ///< of the level below them, left to right: what those pairs were written with
+  };
+
+  void accept(const StreamJob& job) {
+    if (status_ == Status::ok) {
+      assemble(job);
+      if (status_ == Status::ok) compress(job);
+      if (status_ == Status::ok) output_row(job);
+      if (status_ == Status::ok) push_entry();
+      if (status_ != Status::ok) refused_index_ = next_index_;
+    }
+    if (job.root) finish_tree(job);
+    next_index_ = job.root ? 0 : next_index_ + 1;
+  }
+
+  bool exists(std::size_t position) const {
+    while (position > 1) {
+      if (nodes_[position / 2].pair.leaf[position % 2]) return false;
+      position /= 2;
+    }
+    return true;
+  }
+
+  /// Puts the arriving pair on top of the treelets of its children.
+  void assemble(const StreamJob& job) {
+    const std::array<bool, 2> inner = {!job.pair.leaf[0], !job.pair.leaf[1]};
+    const std::size_t pops = std::size_t{inner[0]} + std::size_t{inner[1]};
+    status_ = stack_status<Bits, kContextStackDepth>(stack_.depth(), pops, true);
+    if (status_ != Status::ok) return;
+    nodes_[1] = {job.pair, Pointer(next_index_)};
+    for (std::size_t child = 0; child < 2; ++child) {
+      if (!inner[child]) continue;
+      const Entry& entry = stack_.top(child == 0 && inner[1] ? 1 : 0);
+      for (std::size_t i = 1; i < row_; ++i) nodes_[graft(i, child)] = entry.nodes[i];
+      for (std::size_t i = 0; i < row_; ++i) written_[graft(row_ + i, child)] = entry.contexts[i];
+    }
+    stack_.drop(pops);
+  }
+
+  void compress(const StreamJob& job) {
+    for (std::size_t i = 1; i < 2 * row_; ++i) {
+      if (!exists(i)) continue;
+      const PairJob pair_job{nodes_[i].pair, UInt<1>(i != 1), i != 1 ? contexts_[i] : Context{}, job.registers};
+      compressed_[i] = compress_pair<Bits, N>(pair_job);
+      if (compressed_[i].status != StatusBits()) {
+        status_ = static_cast<Status>(compressed_[i].status.value());
+        return;
+      }
+      if (i == 1) contexts_[1] = compressed_[1].context;
+      contexts_[2 * i] = compressed_[i].child_context[0];
+      contexts_[2 * i + 1] = compressed_[i].child_context[1];
+    }
+  }
+
+  /// Level D: final, and the only place where backtracking can start.
+  void output_row(const StreamJob& job) {
+    for (std::size_t i = row_; i < 2 * row_; ++i) {
+      if (!exists(i)) continue;
+      taken<Bits>(Corner::collector_row_output, true);
+      FinalPair<N>& final_pair = output(i, job);
+      for (std::size_t child = 0; child < 2; ++child) {
+        const std::size_t below = 2 * i + child;
+        if (nodes_[i].pair.leaf[child]) continue;
+        if (!invalidates<Bits>(written_[below], contexts_[below], lift<Bits>(job.registers.relative))) continue;
+        final_pair.repair[child] = UInt<1>(1);
+        final_pair.before[child] = written_[below];
+        final_pair.after[child] = contexts_[below];
+      }
+    }
+  }
+
+  void push_entry() {
+    Entry& entry = stack_.push();
+    for (std::size_t i = 1; i < row_; ++i) entry.nodes[i] = nodes_[i];
+    for (std::size_t i = 0; i < row_; ++i) entry.contexts[i] = contexts_[row_ + i];
+  }
+
+  FinalPair<N>& output(std::size_t position, const StreamJob& job) {
+    FinalPair<N>& final_pair = queue_.push(cycle_ + static_cast<unsigned>(latency(levels_)) - 1);
+    final_pair.index = nodes_[position].index;
+    final_pair.pair = compressed_[position].pair;
+    final_pair.registers = job.registers;
+    last_output_ = &final_pair;
+    return final_pair;
+  }
+
+  /// Flushes what is left on chip; its contexts are the true ones, because the root's estimate is.
+  void finish_tree(const StreamJob& job) {
+    if (taken<Bits>(Corner::stream_stops_on_error, status_ != Status::ok)) {
+      FinalPair<N>& refusal = queue_.push(cycle_ + static_cast<unsigned>(latency(levels_)) - 1);
+      refusal.index = Pointer(refused_index_);
+      refusal.status = StatusBits(static_cast<std::uint64_t>(status_));
+      refusal.registers = job.registers;
+      refusal.last = UInt<1>(1);
+    } else {
+      for (const std::size_t position : flush_order_) {
+        if (!exists(position)) continue;
+        taken<Bits>(Corner::collector_flush, true);
+        output(position, job);
+      }
+      taken<Bits>(Corner::stream_single_pair, next_index_ == 0);
+      last_output_->last = UInt<1>(1);
+      last_output_->root = contexts_[1];
+    }
+    stack_.clear();
+    status_ = Status::ok;
+  }
+
+  Channel<StreamJob>& jobs_;
+  Channel<FinalPair<N>>& finals_;
+  const int levels_;
+  const std::size_t row_;  ///< pairs of level D: 2^(D-1)
+  FinalQueue<N> queue_;
+  const std::vector<std::size_t> flush_order_;
+  StackStorage<Entry, kContextStackDepth> stack_;
+
+  // The treelet in hand, by heap position.
+  std::vector<Node> nodes_;
+  std::vector<PairResult<N>> compressed_;
+  std::vector<Context> contexts_;
+  std::vector<Context> written_;
+
+  std::uint64_t cycle_ = 0;
+  std::uint64_t next_index_ = 0;
+  std::uint64_t refused_index_ = 0;
+  Status status_ = Status::ok;
+  FinalPair<N>* last_output_ = nullptr;
+};
+
+}  // namespace cbvh::rtl

@@ -1,0 +1,59 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+
+#include "rtl_model/kernel/commit_key.h"
+
+namespace cbvh::rtl {
+
+/// A two-entry skid buffer between two modules. valid (`can_pop`) and ready (`can_push`) both come from registers: full
+/// rate, no combinational path between the modules, and so no meaning in the order they are evaluated in. One module
+/// pushes, one pops.
+template <class T>
+class Channel {
+ public:
+  Channel() = default;
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+
+  bool can_push() const { return count_ < 2; }
+  bool can_pop() const { return count_ > 0; }
+  const T& front() const {
+    assert(can_pop());
+    return entries_[head_];
+  }
+
+  /// At most once a cycle, and only when can_push(). The entry is seen from the next cycle on.
+  void push(const T& value) {
+    assert(can_push() && !pushed_);
+    entries_[(head_ + count_) & 1u] = value;
+    pushed_ = true;
+  }
+  /// At most once a cycle, and only when can_pop(). The reference holds until the end of the cycle.
+  const T& pop() {
+    assert(can_pop() && !popped_);
+    popped_ = true;
+    return entries_[head_];
+  }
+
+  bool pushed() const { return pushed_; }  ///< a transfer into the channel takes place in this cycle
+  bool popped() const { return popped_; }  ///< a transfer out of it
+
+  void commit(CommitKey) {
+    head_ = (head_ + popped_) & 1u;
+    count_ = count_ + pushed_ - popped_;
+    pushed_ = popped_ = false;
+  }
+
+ private:
+  std::array<T, 2> entries_{};
+  unsigned head_ = 0;
+  unsigned count_ = 0;
+  bool pushed_ = false;
+  bool popped_ = false;
+};
+
+}  // namespace cbvh::rtl
