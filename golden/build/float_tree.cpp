@@ -2,30 +2,15 @@
 #include "golden/build/float_tree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 
 #include "golden/input_error.h"
+#include "golden/scene/mesh_check.h"
 
 namespace cbvh::golden {
 namespace {
 
-bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-Box triangle_box(const Mesh& mesh, std::size_t id) {
-  const glm::uvec3 triangle = mesh.triangles[id];
-  const auto place = [&] { return fmt::format("{}: triangle {}", mesh.name, id); };
-  for (int corner = 0; corner < 3; ++corner) {
-    const std::uint32_t vertex = triangle[corner];
-    if (vertex >= mesh.positions.size()) {
-      throw InputError(place(), fmt::format("vertex index {}, want below {}", vertex, mesh.positions.size()));
-    }
-    const glm::vec3& v = mesh.positions[vertex];
-    if (!is_finite(v)) {
-      throw InputError(place(),
-                       fmt::format("vertex {} is ({}, {}, {}), want finite coordinates", vertex, v.x, v.y, v.z));
-    }
-  }
+Box triangle_box(const Mesh& mesh, const glm::uvec3& triangle) {
   const glm::vec3& a = mesh.positions[triangle.x];
   const glm::vec3& b = mesh.positions[triangle.y];
   const glm::vec3& c = mesh.positions[triangle.z];
@@ -42,11 +27,10 @@ float largest_magnitude(const Box& box) {
 }
 
 std::vector<Box> triangle_boxes(const Mesh& mesh) {
-  if (mesh.triangles.empty()) throw InputError(mesh.name, "no triangles, want at least one");
-  check_counts(mesh.name, mesh.triangles.size(), 0);
+  check_mesh(mesh, mesh.name);
   std::vector<Box> boxes;
   boxes.reserve(mesh.triangles.size());
-  for (std::size_t id = 0; id < mesh.triangles.size(); ++id) boxes.push_back(triangle_box(mesh, id));
+  for (const glm::uvec3& triangle : mesh.triangles) boxes.push_back(triangle_box(mesh, triangle));
   return boxes;
 }
 

@@ -43,8 +43,8 @@ inline Box own_box(const FloatPair& pair) { return unite(pair.child[0], pair.chi
 /// The largest |coordinate| of a box.
 float largest_magnitude(const Box& box);
 
-/// The box of each triangle. Throws InputError naming the triangle when a vertex index is out of range or a coordinate
-/// is not finite (DESIGN section 3, rule 1), and when there are none or more than kMaxCount.
+/// The box of each triangle, zeros positive. Throws InputError naming the triangle or vertex when the mesh does not
+/// keep what mesh.h promises (DESIGN section 3, rule 1), and when it has no triangles or more than kMaxCount.
 std::vector<Box> triangle_boxes(const Mesh& mesh);
 
 /// Throws InputError when the counts do not fit the 27-bit pointers of a node pair; `place` names the scene.

@@ -144,7 +144,7 @@ TEST(Quantize, enclosing_scale_is_the_smallest_at_or_above_the_minimum_that_fits
     float p = random.any_float();
     float q = random.any_float();
     if (i % 3 == 0)
-      q = std::bit_cast<float>(std::bit_cast<std::uint32_t>(p) ^ static_cast<std::uint32_t>(random.next() % 4096));
+      q = std::bit_cast<float>(std::bit_cast<std::uint32_t>(p) ^ static_cast<std::uint32_t>(random.bits() % 4096));
     if (i % 7 == 0) q = p;
     if (!std::isfinite(q)) continue;
     if (p > q) std::swap(p, q);

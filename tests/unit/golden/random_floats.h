@@ -6,22 +6,19 @@
 #include <cmath>
 #include <cstdint>
 
+#include "golden/scene/procedural/random.h"
+
 namespace cbvh::golden::test {
 
-/// splitmix64.
-struct Random {
-  std::uint64_t state;
-  std::uint64_t next() {
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
-  }
-  int between(int low, int high) { return low + static_cast<int>(next() % static_cast<std::uint64_t>(high - low + 1)); }
+/// The golden's splitmix64 with the draws these tests need.
+class Random : public golden::Random {
+ public:
+  using golden::Random::Random;
+  int between(int low, int high) { return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1)); }
   /// Any finite float, uniform over bit patterns: subnormals and both zeros included.
   float any_float() {
     for (;;) {
-      const auto x = std::bit_cast<float>(static_cast<std::uint32_t>(next()));
+      const auto x = std::bit_cast<float>(static_cast<std::uint32_t>(bits()));
       if (std::isfinite(x)) return x;
     }
   }
