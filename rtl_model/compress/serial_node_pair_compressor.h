@@ -1,6 +1,9 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <tuple>
+
 #include "rtl_model/compress/axis_compressor.h"
 #include "rtl_model/compress/scale_estimator.h"
 #include "rtl_model/datapath/pair_compress.h"
@@ -18,6 +21,15 @@ class SerialNodePairCompressor {
 
   auto parts() {
     return std::tie(control_, estimate_jobs_, estimator_, estimates_, axis_jobs_, compressor_, axis_results_);
+  }
+
+  /// The channels between the parts. `dump` is a ValueChangeDump.
+  template <class Dump>
+  void trace(Dump& dump, const std::string& path) const {
+    dump.add(path + ".estimate_jobs", estimate_jobs_);
+    dump.add(path + ".estimates", estimates_);
+    dump.add(path + ".axis_jobs", axis_jobs_);
+    dump.add(path + ".axis_results", axis_results_);
   }
 
  private:

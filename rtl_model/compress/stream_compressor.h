@@ -1,6 +1,9 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <tuple>
+
 #include "rtl_model/compress/backtrack_unit.h"
 #include "rtl_model/compress/line_combiner.h"
 #include "rtl_model/compress/treelet_collector.h"
@@ -22,6 +25,15 @@ class StreamCompressor {
 
   auto parts() {
     return std::tie(collector_, finals_, combiner_, repair_jobs_, repairs_done_, repair_requests_, backtrack_);
+  }
+
+  /// The channels between the parts. `dump` is a ValueChangeDump.
+  template <class Dump>
+  void trace(Dump& dump, const std::string& path) const {
+    dump.add(path + ".finals", finals_);
+    dump.add(path + ".repair_jobs", repair_jobs_);
+    dump.add(path + ".repairs_done", repairs_done_);
+    dump.add(path + ".repair_requests", repair_requests_);
   }
 
  private:
