@@ -1,0 +1,61 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "testbench/output.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "golden/input_error.h"
+
+namespace cbvh::testbench {
+
+void Output::add_option(CLI::App& command) {
+  command
+      .add_option("--json", json_path_,
+                  "also write the result as JSON to this file; - is stdout, and the text goes to stderr")
+      ->type_name("FILE");
+}
+
+void Output::text(const std::string& text) const {
+  std::FILE* const stream = json_path_ == "-" ? stderr : stdout;
+  std::fwrite(text.data(), 1, text.size(), stream);
+  std::fflush(stream);
+}
+
+void Output::json(const Json& json) const {
+  if (json_path_.empty()) return;
+  const std::string text = json.dump(2) + '\n';
+  if (json_path_ != "-") return write_file(json_path_, text);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void write_file(const std::string& path, const std::string& content) {
+  const bool plain = !std::filesystem::exists(path) || std::filesystem::is_regular_file(path);
+  const std::string target = plain ? path + ".part" : path;  // a device or a pipe is written in place
+  errno = 0;
+  std::ofstream file(target, std::ios::binary);
+  file << content;
+  file.close();
+  if (!file) throw golden::InputError(path, fmt::format("cannot write: {}", std::strerror(errno)));
+  std::error_code failed;
+  if (plain) std::filesystem::rename(target, path, failed);
+  if (failed) throw golden::InputError(path, "cannot write: " + failed.message());
+}
+
+std::string read_text_file(const std::string& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file || std::filesystem::is_directory(path)) {
+    throw golden::InputError(path, fmt::format("cannot read: {}", std::strerror(errno != 0 ? errno : EISDIR)));
+  }
+  return content;
+}
+
+}  // namespace cbvh::testbench

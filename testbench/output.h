@@ -1,0 +1,36 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "testbench/report/json.h"
+
+namespace CLI {
+class App;
+}
+
+namespace cbvh::testbench {
+
+/// Where a command's result goes: text for people on stdout, JSON for programs in a file. With `--json -` the JSON
+/// takes stdout and the text goes to stderr.
+class Output {
+ public:
+  /// Adds --json.
+  void add_option(CLI::App& command);
+
+  void text(const std::string& text) const;
+  /// Writes the JSON, if it was asked for. `write` names no file: nothing happens.
+  void json(const Json& json) const;
+  bool wants_json() const { return !json_path_.empty(); }
+
+ private:
+  std::string json_path_;
+};
+
+/// Writes a whole file: a temporary one first, so that no reader sees half of it. Throws InputError.
+void write_file(const std::string& path, const std::string& content);
+
+/// Reads a whole file. Throws InputError.
+std::string read_text_file(const std::string& path);
+
+}  // namespace cbvh::testbench
