@@ -55,4 +55,22 @@ constexpr std::array<std::string_view, kCorners> kCornerNames = {
     "backtrack_stops",        "combiner_merges",       "combiner_flushes_for_read", "stream_single_pair",
     "stream_stops_on_error"};
 
+/// The combinational functions of the design. Each announces itself when it starts, so that an observing bit type can
+/// tell one's operators from another's.
+enum class Datapath : std::uint8_t {
+  compress_axis,
+  estimate_scale,
+  union_axis,
+  choose_context,
+  assemble_pair,
+  reencode,
+  invalidates,
+  count
+};
+
+constexpr std::size_t kDatapaths = static_cast<std::size_t>(Datapath::count);
+
+constexpr std::array<std::string_view, kDatapaths> kDatapathNames = {
+    "compress_axis", "estimate_scale", "union_axis", "choose_context", "assemble_pair", "reencode", "invalidates"};
+
 }  // namespace cbvh::rtl

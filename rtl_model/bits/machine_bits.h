@@ -16,6 +16,10 @@ struct MachineBits {
   using S = SInt<W, Hook>;
   using F = U<32>;  ///< a binary32, as its bits
 
+  /// Alive while a datapath function is being evaluated.
+  struct Scope {
+    constexpr explicit Scope(Datapath) {}
+  };
   /// Announces a corner of the design; returns whether it is taken.
   static constexpr U<1> corner(Corner, U<1> taken) { return taken; }
 };

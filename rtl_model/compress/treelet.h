@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rtl_model/datapath/payloads.h"
+#include "rtl_model/kernel/channel.h"
 #include "rtl_model/kernel/fifo.h"
 
 /// Treelets are heaps: position 1 is the root, 2i and 2i+1 are the pairs below position i, level L starts at position
@@ -33,34 +34,58 @@ inline std::vector<std::size_t> pre_order(int levels) {
   return order;
 }
 
-/// Final pairs on their way out of a collector: each leaves `latency` clocks after the arrival that made it final, one
-/// a clock.
+/// Final pairs on their way out of a collector: each leaves in the cycle it is ready or later, one a clock.
 template <int N>
 class FinalQueue {
  public:
   explicit FinalQueue(std::size_t capacity) : waiting_(capacity) {}
 
   std::size_t free() const { return waiting_.free(); }
-  FinalPair<N>& push(std::uint64_t ready_cycle) {
-    auto& entry = waiting_.push();
-    entry = {ready_cycle, {}};
-    return entry.pair;
+
+  FinalPair<N>& push(std::uint64_t ready_cycle, Pointer index, const NodePair<N>& pair,
+                     const SceneRegisters& registers) {
+    newest_ = &push_empty(ready_cycle, index, registers);
+    newest_->pair = pair;
+    return *newest_;
   }
-  bool ready(std::uint64_t cycle) const { return !waiting_.empty() && waiting_.front().ready_cycle <= cycle; }
-  const FinalPair<N>& front() const { return waiting_.front().pair; }
-  void pop() { waiting_.pop(); }
+  /// The one word about a tree of which pair `index` was refused.
+  void push_refusal(std::uint64_t ready_cycle, Pointer index, Status status, const SceneRegisters& registers) {
+    auto& refusal = push_empty(ready_cycle, index, registers);
+    refusal.status = StatusBits(static_cast<std::uint64_t>(status));
+    refusal.last = UInt<1>(1);
+  }
+  /// The pair pushed last ends its tree.
+  void end_tree(const Context& root) {
+    newest_->last = UInt<1>(1);
+    newest_->root = root;
+  }
+
+  void output(std::uint64_t cycle, Channel<FinalPair<N>>& finals) {
+    if (waiting_.empty() || waiting_.front().ready_cycle > cycle || !finals.can_push()) return;
+    finals.push(waiting_.front().pair);
+    waiting_.pop();
+  }
 
  private:
   struct Waiting {
     std::uint64_t ready_cycle = 0;
     FinalPair<N> pair;
   };
+  FinalPair<N>& push_empty(std::uint64_t ready_cycle, Pointer index, const SceneRegisters& registers) {
+    auto& entry = waiting_.push();
+    entry = {ready_cycle, {}};
+    entry.pair.index = index;
+    entry.pair.registers = registers;
+    return entry.pair;
+  }
+
   Fifo<Waiting> waiting_;
+  FinalPair<N>* newest_ = nullptr;
 };
 
 /// Entries of a collector's output queue: room for several whole rows, so that bursts do not hold arrivals up.
 constexpr std::size_t final_queue_capacity(int treelet_levels) {
-  return std::max<std::size_t>(64, std::size_t{4} << treelet_levels);
+  return std::max<std::size_t>(64, std::size_t{8} << treelet_levels);
 }
 
 }  // namespace cbvh::rtl

@@ -39,10 +39,7 @@ class TreeletCollector {
 
   void tick() {
     ++cycle_;
-    if (queue_.ready(cycle_) && finals_.can_push()) {
-      finals_.push(queue_.front());
-      queue_.pop();
-    }
+    queue_.output(cycle_, finals_);
     if (!jobs_.can_pop()) return;
     const std::size_t most = jobs_.front().root ? 2 * row_ - 1 : row_;
     if (taken<Bits>(Corner::collector_queue_full, queue_.free() < most)) return;
@@ -135,22 +132,14 @@ class TreeletCollector {
   }
 
   FinalPair<N>& output(std::size_t position, const StreamJob& job) {
-    FinalPair<N>& final_pair = queue_.push(cycle_ + static_cast<unsigned>(latency(levels_)) - 1);
-    final_pair.index = nodes_[position].index;
-    final_pair.pair = compressed_[position].pair;
-    final_pair.registers = job.registers;
-    last_output_ = &final_pair;
-    return final_pair;
+    return queue_.push(ready_cycle(), nodes_[position].index, compressed_[position].pair, job.registers);
   }
+  std::uint64_t ready_cycle() const { return cycle_ + static_cast<unsigned>(latency(levels_)) - 1; }
 
   /// Flushes what is left on chip; its contexts are the true ones, because the root's estimate is.
   void finish_tree(const StreamJob& job) {
     if (taken<Bits>(Corner::stream_stops_on_error, status_ != Status::ok)) {
-      FinalPair<N>& refusal = queue_.push(cycle_ + static_cast<unsigned>(latency(levels_)) - 1);
-      refusal.index = Pointer(refused_index_);
-      refusal.status = StatusBits(static_cast<std::uint64_t>(status_));
-      refusal.registers = job.registers;
-      refusal.last = UInt<1>(1);
+      queue_.push_refusal(ready_cycle(), Pointer(refused_index_), status_, job.registers);
     } else {
       for (const std::size_t position : flush_order_) {
         if (!exists(position)) continue;
@@ -158,8 +147,7 @@ class TreeletCollector {
         output(position, job);
       }
       taken<Bits>(Corner::stream_single_pair, next_index_ == 0);
-      last_output_->last = UInt<1>(1);
-      last_output_->root = contexts_[1];
+      queue_.end_tree(contexts_[1]);
     }
     stack_.clear();
     status_ = Status::ok;
@@ -183,7 +171,6 @@ class TreeletCollector {
   std::uint64_t next_index_ = 0;
   std::uint64_t refused_index_ = 0;
   Status status_ = Status::ok;
-  FinalPair<N>* last_output_ = nullptr;
 };
 
 }  // namespace cbvh::rtl

@@ -24,6 +24,7 @@ constexpr auto interval_status(typename Bits::F lower, typename Bits::F upper, c
 /// find the scale.
 template <class Bits, int N>
 constexpr AxisResult<N> compress_axis(const AxisJob& job) {
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::compress_axis);
   const auto low = break_float<Bits>(lift<Bits>(job.lower));
   const auto high = break_float<Bits>(lift<Bits>(job.upper));
   const auto scale = lift<Bits>(job.scale);

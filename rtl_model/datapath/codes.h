@@ -51,6 +51,7 @@ constexpr auto invalidates(const AxisContext& before, const AxisContext& after, 
 
 template <class Bits>
 constexpr auto invalidates(const Context& before, const Context& after, typename Bits::template U<1> relative) {
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::invalidates);
   return invalidates<Bits>(before[0], after[0], relative) | invalidates<Bits>(before[1], after[1], relative) |
          invalidates<Bits>(before[2], after[2], relative);
 }

@@ -9,6 +9,7 @@ namespace cbvh::rtl {
 /// The box that encloses both children on one axis.
 template <class Bits>
 constexpr EstimateJob union_axis(const FloatPair& pair, std::size_t axis, const SceneRegisters& registers) {
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::union_axis);
   const auto& [left, right] = pair.box;
   return {lower_float(smaller_float<Bits>(lift<Bits>(left.lower[axis]), lift<Bits>(right.lower[axis]))),
           lower_float(larger_float<Bits>(lift<Bits>(left.upper[axis]), lift<Bits>(right.upper[axis]))), registers};
@@ -23,6 +24,7 @@ constexpr auto first_reason(typename Bits::template U<3> a, typename Bits::templ
 /// The context a pair is compressed with: the given one, or the estimate of its three axes.
 template <class Bits>
 constexpr Context choose_context(const PairJob& job, const std::array<EstimateResult, 3>& estimates) {
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::choose_context);
   const auto given = lift<Bits>(job.given_context);
   Context context;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -40,6 +42,7 @@ constexpr AxisJob axis_job(const PairJob& job, const Context& context, std::size
 template <class Bits, int N>
 constexpr PairResult<N> assemble_pair(const PairJob& job, const Context& context,
                                       const std::array<std::array<AxisResult<N>, 3>, 2>& axes) {
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::assemble_pair);
   auto status = lift<Bits>(StatusBits());
   for (const auto& child : axes) {
     for (const auto& axis : child) status = first_reason<Bits>(status, lift<Bits>(axis.status));

@@ -29,6 +29,7 @@ constexpr AxisContext context_of_cells(CellPair<Bits> cells, typename Bits::temp
 template <class Bits, int N>
 constexpr Reencoded<N> reencode(const NodePair<N>& stored, const Context& before, const Context& after,
                                 const SceneRegisters& registers) {
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::reencode);
   Reencoded<N> result{stored, {}, {}, {}};
   const auto relative = lift<Bits>(registers.relative);
   for (std::size_t child = 0; child < 2; ++child) {

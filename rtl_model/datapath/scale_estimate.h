@@ -10,6 +10,7 @@ namespace cbvh::rtl {
 /// tells which. Paper section 4.1 looks at the exponent of upper - lower alone, which does not fit on 1 % of axes.
 template <class Bits, int N>
 constexpr EstimateResult estimate_scale(const EstimateJob& job) {
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::estimate_scale);
   const auto low = break_float<Bits>(lift<Bits>(job.lower));
   const auto high = break_float<Bits>(lift<Bits>(job.upper));
   const auto min_scale = lift<Bits>(job.registers.min_scale);
