@@ -24,20 +24,45 @@ bool leaves_geometry_alone(const std::string& extension) {
   return false;
 }
 
+/// A parser's callback could check the depth too, but nlohmann's callback parser takes quadratic time.
+void check_depth(std::string_view text, const std::string& file) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') {
+      in_string = !in_string;
+    } else if (in_string) {
+      if (c == '\\') ++i;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kMaxDepth) throw InputError(file, fmt::format("JSON: nested more than {} levels deep", kMaxDepth));
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+}
+
+void drop_members(Json& value, const std::set<std::string>& names) {
+  if (value.is_object()) {
+    for (const std::string& name : names) value.erase(name);
+  }
+  if (value.is_structured()) {
+    for (Json& part : value) drop_members(part, names);
+  }
+}
+
 Json parse_geometry(std::string_view text, const std::string& file) {
-  static const std::set<std::string> sections = {
-      "asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "extensionsRequired"};
-  static const std::set<std::string> ignored = {"extras", "extensions", "targets", "weights", "name"};
-  const auto keep = [&](int depth, Json::parse_event_t event, Json& value) {
-    if (depth > kMaxDepth) throw InputError(file, fmt::format("JSON: nested more than {} levels deep", kMaxDepth));
-    if (event != Json::parse_event_t::key) return true;
-    const auto& key = value.get_ref<const std::string&>();
-    return depth == 1 ? sections.count(key) != 0 : ignored.count(key) == 0;
-  };
+  check_depth(text, file);
   try {
-    Json json = Json::parse(text.begin(), text.end(), keep);
+    Json json = Json::parse(text.begin(), text.end());
     if (!json.is_object()) throw InputError(file, "JSON: wanted an object");
-    return json;
+    Json geometry = Json::object();
+    for (const char* section :
+         {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "extensionsRequired"}) {
+      if (const auto it = json.find(section); it != json.end()) geometry[section] = std::move(*it);
+    }
+    drop_members(geometry, {"extras", "extensions", "targets", "weights", "name"});
+    return geometry;
   } catch (const Json::exception& error) {
     throw InputError(file, one_line(error.what()));
   }
