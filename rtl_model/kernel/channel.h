@@ -39,12 +39,13 @@ class Channel {
     return entries_[head_];
   }
 
-  bool pushed() const { return pushed_; }  ///< a transfer into the channel takes place in this cycle
-  bool popped() const { return popped_; }  ///< a transfer out of it
+  /// Transfers out of the channel so far: it grows when the cycle of a pop ends.
+  std::uint64_t pops() const { return pops_; }
 
   void commit(CommitKey) {
     head_ = (head_ + popped_) & 1u;
     count_ = count_ + pushed_ - popped_;
+    pops_ += popped_;
     pushed_ = popped_ = false;
   }
 
@@ -52,6 +53,7 @@ class Channel {
   std::array<T, 2> entries_{};
   unsigned head_ = 0;
   unsigned count_ = 0;
+  std::uint64_t pops_ = 0;
   bool pushed_ = false;
   bool popped_ = false;
 };
