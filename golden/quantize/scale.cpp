@@ -2,6 +2,7 @@
 #include "golden/quantize/scale.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "golden/input_error.h"
 
@@ -9,7 +10,7 @@ namespace cbvh::golden {
 
 int exactness_limit(float largest_magnitude) {
   if (largest_magnitude == 0.0F) return -149;
-  return std::max(-149, floor_log2(static_cast<double>(largest_magnitude)) - 23);
+  return std::max(-149, floor_log2(std::abs(static_cast<double>(largest_magnitude))) - 23);
 }
 
 void check_rules(const GridRules& rules) {

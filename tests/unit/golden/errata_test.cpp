@@ -3,7 +3,12 @@
 // docs/arithmetic.md lists them.
 #include <gtest/gtest.h>
 
+#include "golden/build/lbvh.h"
 #include "golden/quantize/quantize.h"
+#include "golden/scene/load.h"
+#include "golden/scene/trouble_scenes.h"
+#include "golden/tree/pair_codec.h"
+#include "golden/update/streaming.h"
 #include "tests/unit/golden/random_floats.h"
 
 namespace cbvh::golden {
@@ -110,6 +115,108 @@ TEST(Errata, a_difference_rounded_to_nearest_can_exceed_the_true_scale) {
   EXPECT_EQ(enclosing_scale(lower, upper, GridRules{}), 18);
   EXPECT_EQ(literal_estimate(lower, upper, false, 6), 18);
   EXPECT_EQ(literal_estimate(lower, upper, true, 6), 19) << "coarser than the truth: repairs only ever coarsen";
+}
+
+TEST(Errata, scale_only_comparison_is_not_enough_for_relative_codes) {
+  const FloatTree tree = build_lbvh(load_scene("proc:cloth"));
+  const GridRules rules{6, exactness_limit(tree.largest_magnitude), ScaleRule::equation2};
+  std::uint64_t same_scales = 0;
+  std::uint64_t wrong_if_left = 0;
+  StreamingObserver observer;
+  observer.on_repair = [&](std::uint32_t, const CompressedPair& old_pair, const CompressedPair&,
+                           const Context<std::int64_t>& from, const Context<std::int64_t>& to) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (from[axis].scale != to[axis].scale) return;  // algorithm 1 as printed repairs these, and only these
+    }
+    ++same_scales;
+    wrong_if_left += decode_codes(old_pair, to, Code::relative, 6) != decode_codes(old_pair, from, Code::relative, 6);
+  };
+  compress_streaming(tree, rules, Code::relative, 1, &observer);
+  EXPECT_GT(same_scales, 1000U);
+  EXPECT_EQ(wrong_if_left, same_scales) << "left as it was, every such pair would decode to other cells";
+}
+
+TEST(Errata, contexts_are_popped_for_inner_children_not_for_leaves) {
+  const FloatTree tree = build_lbvh(trouble_scene(Trouble::mixed_scales, 3, 40));
+  ASSERT_GT(tree.pairs.size(), 8U);
+  const auto run = [&](bool pops_for) {  // the leaf bit that pops; false when the stack is empty or the wrong child's
+                                         // context is on top
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t i = 0; i < tree.pairs.size(); ++i) {
+      for (const int child : {1, 0}) {
+        if (tree.pairs[i].leaf[child] != pops_for) continue;
+        if (stack.empty() || stack.back() != tree.pairs[i].pointer[child]) return false;
+        stack.pop_back();
+      }
+      stack.push_back(i);
+    }
+    return stack.size() == 1;
+  };
+  EXPECT_FALSE(run(true)) << "as printed: if child is a leaf then pop";
+  EXPECT_TRUE(run(false));
+}
+
+TEST(Errata, each_child_is_encoded_from_its_own_box) {
+  // "Encode(bvhNode.aabbs[0], oldChildContexts[1].aabbs[1], context)": nothing of that name exists there; child 1's own
+  // box is meant.
+  const FloatTree tree = build_lbvh(trouble_scene(Trouble::mixed_scales, 3, 40));
+  int outside = 0;
+  for (const FloatPair& pair : tree.pairs) {
+    const Context<std::int64_t> context =
+        root_context<std::int64_t>(own_box(pair), {6, exactness_limit(tree.largest_magnitude), ScaleRule::equation2});
+    const PairCells<std::int64_t> cells = encode_cells(pair, context);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<int>(axis);
+      const Cells<std::int64_t> own =
+          encode<std::int64_t>(pair.child[1].lower[i], pair.child[1].upper[i], context[axis].scale);
+      EXPECT_EQ(cells[1][axis], own);
+      outside += cells[0][axis].lower > own.lower || cells[0][axis].upper < own.upper;
+    }
+  }
+  EXPECT_GT(outside, 0) << "any other box would not enclose";
+}
+
+TEST(Errata, a_treelet_of_m_levels_has_two_to_the_m_minus_one_pairs_not_m_squared_minus_one) {
+  Mesh mesh{"64 points on a line", {}, {}};
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    mesh.positions.emplace_back(static_cast<float>(i), 0.0F, 0.0F);
+    mesh.triangles.emplace_back(i, i, i);
+  }
+  const FloatTree tree = build_lbvh(mesh);  // a complete tree
+  const auto root = static_cast<std::uint32_t>(tree.pairs.size() - 1);
+  for (int levels = 1; levels <= 5; ++levels) {
+    // The root's treelet of D levels is final but for the pairs that the last flush writes: those of D - 1 levels.
+    std::size_t flushed = 0;
+    StreamingObserver observer;
+    observer.on_final = [&](std::uint32_t index, const CompressedPair&, const Context<std::int64_t>&) {
+      flushed += index == root || flushed > 0;
+    };
+    compress_streaming(tree, {6, -17, ScaleRule::equation2}, Code::modulo, levels + 1, &observer);
+    EXPECT_EQ(flushed, (std::size_t{1} << levels) - 1);
+    if (levels == 3) {
+      EXPECT_NE(flushed, 3U * 3U - 1U) << "as printed";
+    }
+  }
+}
+
+TEST(Errata, table_1_gives_the_abstracts_savings_not_the_conclusions) {
+  const int lbvh_percent_left = 58;  // modulo, treelet depth 4, average
+  const int refit_percent_left = 44;
+  EXPECT_EQ(100 - lbvh_percent_left, 42);
+  EXPECT_EQ(100 - refit_percent_left, 56);
+  EXPECT_NE(100 - lbvh_percent_left, 38);
+  EXPECT_NE(100 - refit_percent_left, 54);
+}
+
+TEST(Errata, edges_finer_than_a_floats_last_place_are_no_floats) {
+  const float plane = -0.4F;  // the cloth's
+  const int limit = exactness_limit(plane);
+  const Cells<Wide> fine = encode<Wide>(plane, plane, limit - 10);
+  EXPECT_EQ(edge(fine.lower, limit - 10), plane);
+  EXPECT_THROW(edge(fine.upper, limit - 10), std::logic_error) << "the next cell edge lies between two floats";
+  EXPECT_EQ(edge_up(fine.upper, limit - 10), std::nextafter(plane, 0.0F));
+  const Cells<std::int64_t> exact = encode<std::int64_t>(plane, plane, limit);
+  EXPECT_EQ(edge(exact.upper, limit), std::nextafter(plane, 0.0F));
 }
 
 }  // namespace
