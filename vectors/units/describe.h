@@ -1,0 +1,19 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "vectors/unit.h"
+
+/// One function a unit, each in a source of its own: they instantiate a set for every N.
+namespace cbvh::vectors {
+
+UnitDescription describe_axis_compressor();
+UnitDescription describe_scale_estimator();
+UnitDescription describe_node_pair_compressor();
+UnitDescription describe_node_pair_compressor_serial();
+UnitDescription describe_context_stack();
+UnitDescription describe_backtrack_unit();
+UnitDescription describe_treelet_collector();
+UnitDescription describe_lazy_treelet_collector();
+UnitDescription describe_stream_compressor();
+
+}  // namespace cbvh::vectors
