@@ -31,8 +31,10 @@ Mesh make(const SceneOptions& options) {
     mesh.positions.emplace_back(x, y, 0.0f);
   append_quad(mesh, 0, 1, 2, 3);
   for (std::uint64_t i = 0; i < boxes; ++i) {
-    const float x = static_cast<float>(i % side) * 20.0f;
-    const float y = static_cast<float>(i / side) * 20.0f;
+    const std::uint64_t row = i / side;
+    const std::uint64_t column = i % side;
+    const float x = static_cast<float>(column) * 20.0f;
+    const float y = static_cast<float>(row) * 20.0f;
     const float west = x + random.between(1.0f, 6.0f);
     const float south = y + random.between(1.0f, 6.0f);
     const float east = x + random.between(12.0f, 19.0f);

@@ -43,7 +43,8 @@ double value_of(const SceneOption& option, std::string_view text, const std::str
   }
   const bool in_range = value >= option.least && value <= option.greatest;  // false for NaN
   if (!in_range)
-    throw InputError(spec, fmt::format("option {}: found {}, wanted {}", option.name, in_quotes(text), range_of(option)));
+    throw InputError(spec,
+                     fmt::format("option {}: found {}, wanted {}", option.name, in_quotes(text), range_of(option)));
   return value;
 }
 
@@ -75,7 +76,8 @@ Mesh make_procedural_scene(const std::string& spec, std::string_view description
     const std::string_view key = part.substr(0, equals);
     const SceneOption* option = find(scene->options, key);
     if (option == nullptr) {
-      throw InputError(spec, fmt::format("option: found {}, wanted one of {}", in_quotes(key), names_of(scene->options)));
+      throw InputError(spec,
+                       fmt::format("option: found {}, wanted one of {}", in_quotes(key), names_of(scene->options)));
     }
     if (!options.values.emplace(option->name, value_of(*option, part.substr(equals + 1), spec)).second) {
       throw InputError(spec, fmt::format("option {}: given twice", option->name));
