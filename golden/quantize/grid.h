@@ -21,15 +21,16 @@ enum class Code : std::uint8_t { modulo, relative };
 
 /// What a scene fixes for all its grids.
 struct GridRules {
-  int bits = 6;           ///< N, bits per coordinate, 2..8
-  int min_scale = -149;   ///< e_min, the finest grid exponent any node may use
+  int bits = 6;          ///< N, bits per coordinate, 2..8
+  int min_scale = -149;  ///< e_min, the finest grid exponent any node may use
   ScaleRule scale_rule = ScaleRule::equation2;
 
   /// The most cells a node may span.
   std::int64_t max_cells() const { return (std::int64_t{1} << bits) - (scale_rule == ScaleRule::figure5 ? 1 : 0); }
 };
 
-/// Cell indices [lower, upper) of an interval on a zero-aligned grid; `upper` is the exclusive edge (k and l of the paper).
+/// Cell indices [lower, upper) of an interval on a zero-aligned grid; `upper` is the exclusive edge (k and l of the
+/// paper).
 template <class Index>
 struct Cells {
   Index lower;

@@ -26,14 +26,16 @@ std::string Fault::name() const {
     case Kind::operator_result:
       break;
   }
-  return std::string(rtl::kDatapathNames[static_cast<std::size_t>(datapath)]) + ":" + std::to_string(site) + ":" + std::to_string(bit);
+  return std::string(rtl::kDatapathNames[static_cast<std::size_t>(datapath)]) + ":" + std::to_string(site) + ":" +
+         std::to_string(bit);
 }
 
 Fault Fault::parse(const std::string& text) {
   Fault fault;
   if (text == "none") return fault;
   const auto first = text.find(':');
-  if (first == std::string::npos) throw std::invalid_argument("fault '" + text + "': want DATAPATH:SITE:BIT or decision:NAME");
+  if (first == std::string::npos)
+    throw std::invalid_argument("fault '" + text + "': want DATAPATH:SITE:BIT or decision:NAME");
   const std::string head = text.substr(0, first);
   if (head == "decision") {
     fault.kind = Kind::decision;
@@ -51,9 +53,10 @@ Fault Fault::parse(const std::string& text) {
 
 std::vector<rtl::Corner> control_decisions() {
   using rtl::Corner;
-  return {Corner::stack_overflow,     Corner::stack_underflow,    Corner::collector_queue_full, Corner::stream_stops_on_error,
-          Corner::backtrack_recurses, Corner::backtrack_both_children, Corner::backtrack_stops, Corner::combiner_merges,
-          Corner::combiner_flushes_for_read, Corner::child_scale_changed, Corner::child_lower_changed};
+  return {Corner::stack_overflow,        Corner::stack_underflow,    Corner::collector_queue_full,
+          Corner::stream_stops_on_error, Corner::backtrack_recurses, Corner::backtrack_both_children,
+          Corner::backtrack_stops,       Corner::combiner_merges,    Corner::combiner_flushes_for_read,
+          Corner::child_scale_changed,   Corner::child_lower_changed};
 }
 
 }  // namespace cbvh::testing

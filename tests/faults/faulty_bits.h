@@ -8,18 +8,18 @@
 
 #include "rtl_model/bits/machine_bits.h"
 
-/// A bit type for a test build of the model: exactly one of its operators gives a wrong result, or exactly one of its decisions is
-/// taken the wrong way, wherever and whenever it is used. It shows whether a regression notices.
+/// A bit type for a test build of the model: exactly one of its operators gives a wrong result, or exactly one of its
+/// decisions is taken the wrong way, wherever and whenever it is used. It shows whether a regression notices.
 namespace cbvh::testing {
 
 /// One deliberate fault.
 struct Fault {
   enum class Kind : std::uint8_t { none, operator_result, decision };
   Kind kind = Kind::none;
-  rtl::Datapath datapath{};   ///< operator_result: whose
-  std::uint32_t site = 0;     ///< operator_result: which operator of it, counted in order of evaluation
-  std::uint32_t bit = 0;      ///< operator_result: which bit of the result is inverted, modulo its width
-  rtl::Corner corner{};       ///< decision: which one is inverted
+  rtl::Datapath datapath{};  ///< operator_result: whose
+  std::uint32_t site = 0;    ///< operator_result: which operator of it, counted in order of evaluation
+  std::uint32_t bit = 0;     ///< operator_result: which bit of the result is inverted, modulo its width
+  rtl::Corner corner{};      ///< decision: which one is inverted
 
   /// "compress_axis:17:3" or "decision:combiner_merges".
   std::string name() const;
@@ -45,7 +45,8 @@ struct FaultyHook {
   static std::uint64_t result(std::uint64_t raw) {
     if (evaluation.datapath == rtl::Datapath::count) return raw;
     const std::uint32_t site = evaluation.site++;
-    if (active_fault.kind != Fault::Kind::operator_result || active_fault.datapath != evaluation.datapath || active_fault.site != site) {
+    if (active_fault.kind != Fault::Kind::operator_result || active_fault.datapath != evaluation.datapath ||
+        active_fault.site != site) {
       return raw;
     }
     return raw ^ (std::uint64_t{1} << (active_fault.bit % W));
