@@ -6,7 +6,7 @@
 
 namespace cbvh::golden {
 
-CompressedTree uncompressed_pairs(const FloatTree& tree, const GridRules& rules, Code code) {
+CompressedTree blank_compressed_tree(const FloatTree& tree, const GridRules& rules, Code code) {
   check_rules(rules);
   CompressedTree compressed;
   compressed.pairs.resize(tree.pairs.size());

@@ -40,6 +40,6 @@ struct CompressedTree {
 
 /// A compressed tree of a float tree with everything but the contents of its pairs: where a compressor starts. Throws
 /// InputError when the rules are out of their domain.
-CompressedTree uncompressed_pairs(const FloatTree& tree, const GridRules& rules, Code code);
+CompressedTree blank_compressed_tree(const FloatTree& tree, const GridRules& rules, Code code);
 
 }  // namespace cbvh::golden

@@ -141,7 +141,7 @@ StreamingResult compress_streaming(const FloatTree& tree, const GridRules& rules
   if (treelet_levels < 1 || treelet_levels > 16) {
     throw InputError("treelet", fmt::format("found {}, want 1..16", treelet_levels));
   }
-  StreamingResult result{uncompressed_pairs(tree, rules, code), {}};
+  StreamingResult result{blank_compressed_tree(tree, rules, code), {}};
   const bool narrow = fits_64_bits(tree.scene, rules);
   if (observer != nullptr && !narrow) {
     throw InputError("min-scale", fmt::format("found {}, want at least {} (the exactness limit)", rules.min_scale,

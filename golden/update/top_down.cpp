@@ -29,7 +29,7 @@ void compress_below_root(const FloatTree& tree, CompressedTree& compressed) {
 }  // namespace
 
 CompressedTree compress_top_down(const FloatTree& tree, const GridRules& rules, Code code) {
-  CompressedTree compressed = uncompressed_pairs(tree, rules, code);
+  CompressedTree compressed = blank_compressed_tree(tree, rules, code);
   if (tree.pairs.empty()) return compressed;
   if (fits_64_bits(tree.scene, rules)) {
     compress_below_root<std::int64_t>(tree, compressed);
