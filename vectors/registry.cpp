@@ -22,9 +22,12 @@ void check_parameter(const UnitDescription& unit, const char* name, int value, c
 }  // namespace
 
 std::span<const UnitDescription> units() {
-  static const std::vector<UnitDescription> all = {describe_axis_compressor(), describe_scale_estimator(),
-                                                   describe_node_pair_compressor(),
-                                                   describe_node_pair_compressor_serial(), describe_context_stack()};
+  static const std::vector<UnitDescription> all = {
+      describe_axis_compressor(),      describe_scale_estimator(),
+      describe_node_pair_compressor(), describe_node_pair_compressor_serial(),
+      describe_context_stack(),        describe_backtrack_unit(),
+      describe_treelet_collector(),    describe_lazy_treelet_collector(),
+      describe_stream_compressor()};
   return all;
 }
 

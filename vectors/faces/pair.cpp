@@ -49,6 +49,20 @@ PairAnswer compress_pair(const rtl::FloatPair& pair, const std::optional<golden:
   return answer;
 }
 
+golden::CompressedPair stored_pair(const rtl::FloatPair& pair, const PairAnswer& answer,
+                                   const rtl::SceneRegisters& registers, int bits) {
+  golden::CompressedPair stored{};
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      stored.child[c].codes[axis] =
+          golden::encode_codes(answer.cells[c][axis], answer.context[axis].lower, code_of(registers), bits);
+    }
+    stored.child[c].leaf = bool(pair.leaf[c]);
+    stored.child[c].pointer = static_cast<std::uint32_t>(pair.pointer[c].raw());
+  }
+  return stored;
+}
+
 bool is_invalidated(const golden::Context<Index>& before, const golden::Context<Index>& after, golden::Code code) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (before[axis].scale != after[axis].scale) return true;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "golden/tree/compressed_tree.h"
 #include "vectors/faces/axis.h"
 
 /// The golden's answer for a pair of siblings, in plain numbers.
@@ -24,30 +25,36 @@ golden::Box union_box(const rtl::FloatPair& pair);
 PairAnswer compress_pair(const rtl::FloatPair& pair, const std::optional<golden::Context<Index>>& given,
                          const rtl::SceneRegisters& registers, int bits);
 
-/// The stored form of cells: rule 5, relative to or modulo the context's lower indices.
+/// The stored form of a pair that was not refused: rule 5, relative to or modulo the context's lower indices.
+golden::CompressedPair stored_pair(const rtl::FloatPair& pair, const PairAnswer& answer,
+                                   const rtl::SceneRegisters& registers, int bits);
+
 template <int N>
-rtl::NodeCodes<N> store_codes(const std::array<Cells<Index>, 3>& cells, const golden::Context<Index>& context,
-                              rtl::UInt<1> leaf, rtl::Pointer pointer, golden::Code code) {
-  rtl::NodeCodes<N> codes;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const golden::AxisCodes stored = golden::encode_codes(cells[axis], context[axis].lower, code, N);
-    codes.lo[axis] = rtl::UInt<N>(stored.lower);
-    codes.hi[axis] = rtl::UInt<N>(stored.upper);
+rtl::NodePair<N> to_wires(const golden::CompressedPair& pair) {
+  rtl::NodePair<N> wires;
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      wires.child[c].lo[axis] = rtl::UInt<N>(pair.child[c].codes[axis].lower);
+      wires.child[c].hi[axis] = rtl::UInt<N>(pair.child[c].codes[axis].upper);
+    }
+    wires.child[c].leaf = rtl::UInt<1>(pair.child[c].leaf);
+    wires.child[c].pointer = rtl::Pointer(pair.child[c].pointer);
   }
-  codes.leaf = leaf;
-  codes.pointer = pointer;
-  return codes;
+  return wires;
 }
 
-/// Of a pair that was not refused.
 template <int N>
-rtl::NodePair<N> store_pair(const rtl::FloatPair& pair, const PairAnswer& answer, golden::Code code) {
-  rtl::NodePair<N> stored;
-  for (std::size_t child = 0; child < 2; ++child) {
-    stored.child[child] =
-        store_codes<N>(answer.cells[child], answer.context, pair.leaf[child], pair.pointer[child], code);
+golden::CompressedPair from_wires(const rtl::NodePair<N>& wires) {
+  golden::CompressedPair pair{};
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      pair.child[c].codes[axis] = {static_cast<std::uint8_t>(wires.child[c].lo[axis].raw()),
+                                   static_cast<std::uint8_t>(wires.child[c].hi[axis].raw())};
+    }
+    pair.child[c].leaf = bool(wires.child[c].leaf);
+    pair.child[c].pointer = static_cast<std::uint32_t>(wires.child[c].pointer.raw());
   }
-  return stored;
+  return pair;
 }
 
 /// Rule 9: must a child that was written with the context `before` be re-encoded when its context is `after`?

@@ -16,6 +16,13 @@ constexpr float kLargest = std::numeric_limits<float>::max();
 
 float float_of_bits(std::uint64_t bits) { return std::bit_cast<float>(static_cast<std::uint32_t>(bits)); }
 
+float any_finite(Random& random) {
+  for (;;) {
+    const float x = float_of_bits(random.next());
+    if (std::isfinite(x)) return x;
+  }
+}
+
 float magnitude_of(float lower, float upper) { return std::max(std::fabs(lower), std::fabs(upper)); }
 
 rtl::SceneRegisters random_registers(Random& random, int min_scale) {
@@ -27,8 +34,9 @@ int holding_scale(float lower, float upper, const rtl::SceneRegisters& registers
   return std::min(128, golden::enclosing_scale(lower, upper, rules_of(registers, bits)) + gap);
 }
 
-/// Registers and a grid for bounds in any order.
-Interval around(float a, float b, Random& random, int bits, int gap) {
+/// Registers for bounds in any order, and a grid up to `most_gap` binary orders coarser than need be.
+Interval around(float a, float b, Random& random, int bits, int most_gap) {
+  const int gap = random.between(0, most_gap);
   const float lower = std::min(a, b);
   const float upper = std::max(a, b);
   const int limit = golden::exactness_limit(magnitude_of(lower, upper));
@@ -66,24 +74,96 @@ Interval of_cells(int cells, Random& random, bool on_edges) {
   return on_grid(lower, upper, place.scale, random, place.min_scale);
 }
 
+float random_sign(Random& random) { return random.flip() ? 1.0F : -1.0F; }
+
+/// 1 .. 2, times a power of two, of any sign.
+float of_exponent(int exponent, Random& random) {
+  const float sign = random_sign(random);
+  return sign * std::ldexp(1.0F + random.unit(), exponent);
+}
+
 Interval random_exponents(Random& random, int bits) {
   const int exponent = random.between(-60, 60);
-  const int gap = random.between(0, 40);
-  const auto mantissa = [&random] { return 1.0F + random.unit(); };
-  const float a = std::ldexp(mantissa(), exponent) * (random.flip() ? 1.0F : -1.0F);
-  const float b = std::ldexp(mantissa(), exponent - gap) * (random.flip() ? 1.0F : -1.0F);
-  if (random.flip()) return around(a, b, random, bits, random.between(0, 2));
-  return around(a, std::nextafter(a, 0.0F), random, bits, gap);
+  const float a = of_exponent(exponent, random);
+  if (random.flip()) return around(a, of_exponent(exponent - random.between(0, 40), random), random, bits, 2);
+  return around(a, std::nextafter(a, 0.0F), random, bits, 40);
+}
+
+// One corner each. Random numbers are drawn in statements of their own: compilers order arguments differently.
+
+Interval signed_zeros(Random& random, int bits) {
+  constexpr float kZeros[] = {0.0F, -0.0F};
+  const float a = kZeros[random.below(2)];
+  const float b = kZeros[random.below(2)];
+  const std::uint64_t kind = random.below(4);
+  if (kind == 0) return around(a, random.unit(), random, bits, 2);
+  if (kind == 1) return around(a, -random.unit(), random, bits, 2);
+  Interval interval = around(a, kind == 2 ? b : 0x1p-149F, random, bits, 40);
+  if (kind == 2) {
+    interval.lower = a;
+    interval.upper = b;
+  }
+  return interval;
+}
+
+float tiny(Random& random) {
+  const std::uint64_t magnitude = random.one_in(4) ? random.below(16) : random.below(0x00900000);
+  return random_sign(random) * float_of_bits(magnitude);
+}
+
+Interval subnormals(Random& random, int bits) {
+  const float a = tiny(random);
+  const float b = tiny(random);
+  return around(a, b, random, bits, 3);
+}
+
+Interval largest_finite(Random& random, int bits) {
+  const float near = float_of_bits(0x7F7FFFFF - (random.flip() ? 0 : random.below(4)));
+  const float huge = near * random_sign(random);
+  const float others[] = {-kLargest, kLargest, 0.0F, any_finite(random)};
+  const float other = others[random.below(4)];
+  return around(huge, other, random, bits, 2);
+}
+
+Interval crossing(Random& random, int bits) {
+  const float scale = std::ldexp(1.0F, random.between(-30, 30));
+  const float a = -(random.unit() + 0x1p-24F) * scale;
+  const float b = (random.unit() + 0x1p-24F) * scale;
+  return around(a, b, random, bits, 2);
+}
+
+Interval full_grid(Random& random, int bits) {
+  const auto figure5 = rtl::UInt<1>(random.flip());
+  const bool on_edges = random.flip();
+  Interval interval = of_cells((1 << bits) - (figure5 ? 1 : 0), random, on_edges);
+  interval.registers.figure5 = figure5;
+  return interval;
+}
+
+Interval degenerate(Random& random, int bits) {
+  const float x = random.one_in(4) ? any_finite(random) : (random.unit() - 0.5F) * 64.0F;
+  return around(x, x, random, bits, 12);
+}
+
+Interval saturated(Random& random, int bits) {
+  const int cells = random.between(1, std::max(1, (1 << bits) / 4));
+  Interval interval = of_cells(cells, random, random.flip());
+  interval.registers.min_scale = rtl::Scale(interval.scale - (random.flip() ? 0 : random.between(0, 2)));
+  return interval;
+}
+
+Interval of_power_of_two_cells(Random& random, int bits) {
+  const int cells = 1 << random.between(0, bits - 1);
+  return of_cells(cells, random, random.flip());
+}
+
+Interval any_two(Random& random, int bits) {
+  const float a = any_finite(random);
+  const float b = any_finite(random);
+  return around(a, b, random, bits, 3);
 }
 
 }  // namespace
-
-float any_finite(Random& random) {
-  for (;;) {
-    const float x = float_of_bits(random.next());
-    if (std::isfinite(x)) return x;
-  }
-}
 
 rtl::SceneRegisters allowing(rtl::SceneRegisters registers, float magnitude) {
   const int limit = golden::exactness_limit(magnitude);
@@ -132,66 +212,33 @@ Interval make_too_wide(Random& random, int bits) {
 }
 
 Interval make_interval(IntervalCorner corner, Random& random, int bits) {
-  const int capacity = 1 << bits;
   switch (corner) {
-    case IntervalCorner::signed_zero: {
-      const float zeros[] = {0.0F, -0.0F};
-      Interval interval = around(zeros[random.below(2)], zeros[random.below(2)], random, bits, random.between(0, 40));
-      interval.lower = zeros[random.below(2)];
-      interval.upper = zeros[random.below(2)];
-      if (random.one_in(3)) return interval;
-      const float other = random.one_in(4) ? 1e-45F : random.unit();
-      return random.flip() ? around(zeros[1], other, random, bits, random.between(0, 2))
-                           : around(zeros[random.below(2)], -other, random, bits, random.between(0, 2));
-    }
-    case IntervalCorner::subnormal: {
-      const auto tiny = [&random] {
-        const std::uint64_t magnitude = random.one_in(4) ? random.below(16) : random.below(0x00900000);
-        return float_of_bits(magnitude | (random.flip() ? 0x80000000U : 0U));
-      };
-      return around(tiny(), tiny(), random, bits, random.between(0, 3));
-    }
-    case IntervalCorner::largest_finite: {
-      const float huge = float_of_bits(0x7F7FFFFF - (random.flip() ? 0 : random.below(4)));
-      const float others[] = {-kLargest, kLargest, 0.0F, any_finite(random)};
-      return around(random.flip() ? huge : -huge, others[random.below(4)], random, bits, random.between(0, 2));
-    }
-    case IntervalCorner::sign_crossing: {
-      const float scale = std::ldexp(1.0F, random.between(-30, 30));
-      return around(-(random.unit() + 0x1p-24F) * scale, (random.unit() + 0x1p-24F) * scale, random, bits,
-                    random.between(0, 2));
-    }
+    case IntervalCorner::signed_zero:
+      return signed_zeros(random, bits);
+    case IntervalCorner::subnormal:
+      return subnormals(random, bits);
+    case IntervalCorner::largest_finite:
+      return largest_finite(random, bits);
+    case IntervalCorner::sign_crossing:
+      return crossing(random, bits);
     case IntervalCorner::edge_on_grid:
-      return of_cells(random.between(1, capacity - 1), random, true);
+      return of_cells(random.between(1, (1 << bits) - 1), random, true);
     case IntervalCorner::one_cell:
       return of_cells(1, random, false);
     case IntervalCorner::power_of_two_size:
-      return of_cells(1 << random.between(0, bits - 1), random, random.flip());
-    case IntervalCorner::full_grid: {
-      Interval interval = of_cells(capacity, random, random.flip());
-      if (interval.registers.figure5) {
-        const Interval smaller = of_cells(capacity - 1, random, random.flip());
-        const auto figure5 = interval.registers.figure5;
-        interval = smaller;
-        interval.registers.figure5 = figure5;
-      }
-      return interval;
-    }
-    case IntervalCorner::degenerate_axis: {
-      const float x = random.one_in(4) ? any_finite(random) : (random.unit() - 0.5F) * 64.0F;
-      return around(x, x, random, bits, random.between(0, 12));
-    }
-    case IntervalCorner::minimum_scale_saturation: {
-      Interval interval = of_cells(random.between(1, std::max(1, capacity / 4)), random, random.flip());
-      interval.registers.min_scale = rtl::Scale(interval.scale - (random.flip() ? 0 : random.between(0, 2)));
-      return interval;
-    }
+      return of_power_of_two_cells(random, bits);
+    case IntervalCorner::full_grid:
+      return full_grid(random, bits);
+    case IntervalCorner::degenerate_axis:
+      return degenerate(random, bits);
+    case IntervalCorner::minimum_scale_saturation:
+      return saturated(random, bits);
     case IntervalCorner::exponent_gap:
       return random_exponents(random, bits);
     case IntervalCorner::random_bits:
       break;
   }
-  return around(any_finite(random), any_finite(random), random, bits, random.between(0, 3));
+  return any_two(random, bits);
 }
 
 }  // namespace cbvh::vectors

@@ -36,9 +36,6 @@ struct Interval {
 /// An interval of this corner, valid on its grid.
 Interval make_interval(IntervalCorner corner, Random& random, int bits);
 
-/// Any finite float: uniform over bit patterns.
-float any_finite(Random& random);
-
 /// The same registers with e_min not below the exactness limit of `magnitude`.
 rtl::SceneRegisters allowing(rtl::SceneRegisters registers, float magnitude);
 

@@ -47,7 +47,10 @@ std::vector<rtl::StackOperation> make_stack_operations(std::size_t case_class, R
   };
   switch (case_class) {
     case kRandomWalk:
-      for (int i = random.between(1, 60); i > 0; --i) operate(random.below(random.one_in(8) ? 4 : 3), random.flip());
+      for (int i = random.between(1, 60); i > 0; --i) {
+        const bool push = random.flip();
+        operate(random.below(random.one_in(8) ? 4 : 3), push);
+      }
       break;
     case kFill:
       fill(rtl::kContextStackDepth + random.between(1, 3));
@@ -76,7 +79,7 @@ std::vector<rtl::StackOperation> make_stack_operations(std::size_t case_class, R
       post_order(random, random.between(1, 6), operate);
       break;
     default:
-      operate(random.below(4), random.flip());
+      operate(random.below(4), true);
   }
   return operate.operations;
 }

@@ -23,7 +23,7 @@ struct PairUnit : StatelessUnit<U, rtl::PairJob, rtl::PairResult<N>> {
     rtl::PairResult<N> result;
     result.status = rtl::StatusBits(static_cast<std::uint64_t>(answer.status));
     if (answer.status != rtl::Status::ok) return result;
-    result.pair = store_pair<N>(job.pair, answer, code_of(job.registers));
+    result.pair = to_wires<N>(stored_pair(job.pair, answer, job.registers, N));
     result.context = to_wires(answer.context);
     for (std::size_t child = 0; child < 2; ++child) {
       result.child_context[child] = to_wires(answer.child_context[child]);
