@@ -111,6 +111,7 @@ class LineCombiner {
   void finish() {
     if (unfinished_repairs_ > 0 || !reports_.can_push() || !memory_free_) return;
     if (holds_line()) send_line();
+    if (report_.status != StatusBits()) report_.repairs = UInt<32>();  // of a refused tree nothing is told
     reports_.push(report_);
     report_ = {};
     finishing_ = false;

@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -30,13 +31,22 @@ inline std::vector<Disturbance> stall_matrix(std::uint64_t seed = 1) {
 template <class Response>
 struct Observed {
   std::vector<Response> responses;
-  std::vector<std::uint64_t> latencies;  ///< cycles from the acceptance of the stimulus of the same number
+  std::vector<std::uint64_t> accepted;  ///< cycle in which the unit took each stimulus
+  std::vector<std::uint64_t> given;     ///< cycle in which each response could be taken
+
+  /// Cycles from the acceptance of each stimulus to the response of the same number.
+  std::vector<std::uint64_t> latencies() const {
+    std::vector<std::uint64_t> result;
+    for (std::size_t i = 0; i < responses.size(); ++i) result.push_back(given[i] - accepted.at(i));
+    return result;
+  }
 };
 
 /// `make_unit(jobs, results)` makes the module. Ends when as many responses came as there were stimuli, or after too
 /// many cycles.
 template <class Stimulus, class Response, class Make>
-Observed<Response> run_unit(std::span<const Stimulus> stimuli, const Disturbance& disturbance, Make&& make_unit) {
+Observed<Response> run_unit(std::span<const Stimulus> stimuli, const Disturbance& disturbance, Make&& make_unit,
+                            std::size_t wanted = ~std::size_t{0}) {
   rtl::Channel<Stimulus> jobs;
   rtl::Channel<Response> results;
   auto unit = make_unit(jobs, results);
@@ -47,13 +57,13 @@ Observed<Response> run_unit(std::span<const Stimulus> stimuli, const Disturbance
   auto sink = disturbance.sink_stalls ? rtl::StallPattern::bursts(disturbance.seed + 200) : rtl::StallPattern::never();
 
   Observed<Response> observed;
-  std::vector<std::uint64_t> accepted;
+  wanted = std::min(wanted, stimuli.size());
   std::size_t sent = 0;
   const std::uint64_t deadline = 1000 + 100 * stimuli.size();
-  while (observed.responses.size() < stimuli.size() && clock.cycle() < deadline) {
+  while (observed.responses.size() < wanted && clock.cycle() < deadline) {
     if (!source.stalls() && sent < stimuli.size() && jobs.can_push()) jobs.push(stimuli[sent++]);
     if (!sink.stalls() && results.can_pop()) {
-      observed.latencies.push_back(clock.cycle() - accepted.at(observed.responses.size()));
+      observed.given.push_back(clock.cycle());
       observed.responses.push_back(results.pop());
     }
     const std::uint64_t cycle = clock.cycle();
@@ -62,7 +72,7 @@ Observed<Response> run_unit(std::span<const Stimulus> stimuli, const Disturbance
     } else {
       clock.step();
     }
-    if (jobs.pops() > accepted.size()) accepted.push_back(cycle);
+    if (jobs.pops() > observed.accepted.size()) observed.accepted.push_back(cycle);
   }
   return observed;
 }

@@ -42,7 +42,7 @@ void BacktrackMemory::visit(std::uint32_t index, const golden::Context<Index>& b
       child_after[c][axis] = golden::own_context(new_cells, after[axis].scale, rules);
     }
   }
-  walk.written.push_back({index, pair});
+  walk.written.push_back({index, pair, level});
   for (std::size_t c = 0; c < 2; ++c) {
     if (pair.child[c].leaf || !is_invalidated(child_before[c], child_after[c], code)) continue;
     visit(pair.child[c].pointer, child_before[c], child_after[c], level + 1, walk);

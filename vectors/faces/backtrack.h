@@ -11,6 +11,7 @@ namespace cbvh::vectors {
 struct RepairedPair {
   std::uint32_t index;
   golden::CompressedPair pair;
+  int level;  ///< 1: the pair the repair began with
 };
 
 /// Compressed pairs in memory, and the repairs that rules 7 and 9 make there.

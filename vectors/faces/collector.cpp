@@ -14,6 +14,14 @@ class Tree {
       : levels_(levels), bits_(bits), observer_(observer), finals_(finals) {}
 
   void arrive(const rtl::StreamJob& job) {
+    const std::size_t known = finals_.size();
+    take(job);
+    for (std::size_t i = known; i < finals_.size(); ++i) finals_[i].arrival = arrivals_;
+    ++arrivals_;
+  }
+
+ private:
+  void take(const rtl::StreamJob& job) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back({&job, {}, {}, false});
     if (status_ == Status::ok) {
@@ -23,7 +31,6 @@ class Tree {
     if (job.root) finish(index);
   }
 
- private:
   struct Node {
     const rtl::StreamJob* job;
     std::array<std::uint32_t, 2> child;  ///< of inner children
@@ -145,6 +152,7 @@ class Tree {
   std::vector<std::uint32_t> open_;
   Status status_ = Status::ok;
   std::uint32_t refused_ = 0;
+  std::size_t arrivals_ = 0;
 };
 
 }  // namespace

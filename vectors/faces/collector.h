@@ -20,6 +20,7 @@ struct FinalAnswer {
   golden::Context<Index> root{};  ///< zero unless last
   rtl::Status status = rtl::Status::ok;
   rtl::SceneRegisters registers;
+  std::size_t arrival = 0;  ///< number of the job that made it final
 };
 
 /// Sees every pair that is compressed, in order: on the estimate at a treelet's root, on the given context below it and

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vectors/faces/backtrack.h"
+#include "vectors/faces/timing.h"
 #include "vectors/generate/backtrack_steps.h"
 #include "vectors/unit.h"
 
@@ -29,7 +30,7 @@ struct BacktrackUnit {
   static constexpr std::string_view kName = "backtrack_unit";
   static constexpr std::string_view kSummary =
       "re-encodes pairs in memory for a coarser grid, and what that changes below";
-  static constexpr std::string_view kLatencyText = "not stated";
+  static constexpr std::string_view kLatencyText = "6 a pair, then 1, with memory answering after 4";
   static constexpr bool kStateful = true;
   static constexpr bool kTreelet = false;
   static constexpr const auto& kClasses = kBacktrackClasses;
@@ -45,6 +46,7 @@ struct BacktrackUnit {
   static std::vector<Expected<Response>> respond(std::span<const Stimulus> steps, const Parameters&) {
     std::vector<Expected<Response>> events;
     BacktrackMemory memory(N);
+    std::uint32_t cycle = 0;
     for (const Stimulus& step : steps) {
       if (!step.repair) {
         memory.write(static_cast<std::uint32_t>(step.index.raw()), from_wires(step.pair));
@@ -53,9 +55,10 @@ struct BacktrackUnit {
       const auto repaired = memory.repair(static_cast<std::uint32_t>(step.job.pointer.raw()),
                                           from_wires(step.job.before), from_wires(step.job.after), step.job.registers);
       for (const RepairedPair& pair : repaired) {
-        events.push_back({{rtl::UInt<1>(0), rtl::Pointer(pair.index), to_wires<N>(pair.pair), {}}, kLatencyNotStated});
+        events.push_back(
+            {{rtl::UInt<1>(0), rtl::Pointer(pair.index), to_wires<N>(pair.pair), {}}, cycle += kRepairCycles});
       }
-      events.push_back({{rtl::UInt<1>(1), {}, {}, rtl::UInt<32>(repaired.size())}, kLatencyNotStated});
+      events.push_back({{rtl::UInt<1>(1), {}, {}, rtl::UInt<32>(repaired.size())}, ++cycle});
     }
     return events;
   }

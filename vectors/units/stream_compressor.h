@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vectors/faces/backtrack.h"
+#include "vectors/faces/timing.h"
 #include "vectors/units/treelet_collector.h"
 
 namespace cbvh::vectors {
@@ -15,7 +16,8 @@ struct StreamCompressor {
   using Kind = typename Response::Kind;
   static constexpr std::string_view kName = "stream_compressor";
   static constexpr std::string_view kSummary = "float pairs in emission order to a compressed tree in memory";
-  static constexpr std::string_view kLatencyText = "not stated";
+  static constexpr std::string_view kLatencyText =
+      "of an episode's first report, without repairs: 2 after the last final pair";
   static constexpr bool kStateful = true;
   static constexpr bool kTreelet = true;
   static constexpr const auto& kClasses = kStreamClasses;
@@ -28,17 +30,26 @@ struct StreamCompressor {
     std::vector<Expected<Response>> events;
     std::size_t tree_begin = 0;
     BacktrackMemory memory(N);
-    for (const FinalAnswer& answer : collect(jobs, parameters.treelet, N)) {
+    const auto answers = collect(jobs, parameters.treelet, N);
+    // Stated for the first tree only, and only if it repairs nothing: else it depends on how memory accesses
+    // interleave.
+    const auto cycles = collector_cycles(jobs, answers, {parameters.treelet, false}, N);
+    bool stated = true;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const FinalAnswer& answer = answers[i];
+      stated = stated && !answer.repair[0] && !answer.repair[1];
+      const std::uint32_t latency = stated ? cycles[i] + kReportCycles : kLatencyNotStated;
+      stated = stated && !answer.last;
       if (answer.status != rtl::Status::ok) {
         events.resize(tree_begin);  // its repairs are not told
-        events.push_back(report(answer, answer.index, 0));
+        events.push_back(report(answer, answer.index, 0, latency));
       } else {
         memory.write(answer.index, answer.pair);
         repair_children(answer, memory, events);
         if (answer.last) {
           const std::uint64_t repairs = events.size() - tree_begin;
           for (const auto& [index, pair] : memory.pairs()) events.push_back(event(Kind::memory, index, pair));
-          events.push_back(report(answer, memory.pairs().rbegin()->first, repairs));
+          events.push_back(report(answer, memory.pairs().rbegin()->first, repairs, latency));
         }
       }
       if (answer.last) {
@@ -66,12 +77,13 @@ struct StreamCompressor {
     }
   }
 
-  static Expected<Response> report(const FinalAnswer& answer, std::uint32_t last_index, std::uint64_t repairs) {
+  static Expected<Response> report(const FinalAnswer& answer, std::uint32_t last_index, std::uint64_t repairs,
+                                   std::uint32_t latency) {
     Response response;
     response.kind = rtl::UInt<2>(static_cast<std::uint64_t>(Kind::report));
     response.report = {rtl::Pointer(last_index), rtl::UInt<32>(repairs), to_wires(answer.root),
                        rtl::StatusBits(static_cast<std::uint64_t>(answer.status))};
-    return {response, kLatencyNotStated};
+    return {response, latency};
   }
 };
 

@@ -155,7 +155,7 @@ TEST(AxisCompressor, has_latency_3_and_a_result_every_cycle_and_stalls_change_no
   const auto quiet = run({});
   ASSERT_EQ(quiet.responses.size(), stimuli.size());
   for (std::size_t i = 0; i < stimuli.size(); ++i) {
-    ASSERT_EQ(quiet.latencies[i], 3u);
+    ASSERT_EQ(quiet.latencies()[i], 3u);
     ASSERT_EQ(quiet.responses[i], (compress_axis<MachineBits, 6>(stimuli[i])));
   }
   for (const auto& disturbance : testing::stall_matrix()) EXPECT_EQ(run(disturbance).responses, quiet.responses);

@@ -61,7 +61,7 @@ TEST(ContextStack, behaves_as_a_stack_of_32_and_refuses_without_a_trace_under_ev
         [](auto& in, auto& out) { return std::make_unique<ContextStack<MachineBits>>(in, out); });
     EXPECT_EQ(observed.responses, want);
     if (!disturbance.source_stalls && !disturbance.sink_stalls) {
-      for (const auto latency : observed.latencies) ASSERT_EQ(latency, 1u);
+      for (const auto latency : observed.latencies()) ASSERT_EQ(latency, 1u);
     }
   }
 }

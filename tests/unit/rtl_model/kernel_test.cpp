@@ -78,7 +78,7 @@ TEST(Kernel, pipeline_has_its_latency_and_a_result_every_cycle) {
   ASSERT_EQ(observed.responses.size(), values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     EXPECT_EQ(observed.responses[i].value(), values[i].value() + 1);
-    EXPECT_EQ(observed.latencies[i], 4u);
+    EXPECT_EQ(observed.latencies()[i], 4u);
   }
 }
 

@@ -49,8 +49,8 @@ TEST(NodePairCompressor, serial_variant_gives_the_same_results_with_latency_14_i
   const auto serial = run<SerialNodePairCompressor<MachineBits, 6>>(jobs, {});
   ASSERT_EQ(parallel.responses.size(), jobs.size());
   EXPECT_EQ(serial.responses, parallel.responses);
-  for (const auto latency : parallel.latencies) ASSERT_EQ(latency, 6u);
-  for (const auto latency : serial.latencies) ASSERT_EQ(latency, 14u);
+  for (const auto latency : parallel.latencies()) ASSERT_EQ(latency, 6u);
+  for (const auto latency : serial.latencies()) ASSERT_EQ(latency, 14u);
 }
 
 TEST(NodePairCompressor, result_is_unchanged_when_source_and_sink_stall_in_any_order_of_evaluation) {
