@@ -39,21 +39,14 @@ void LineReader::fail(const char* at, const std::string& what) const {
   throw golden::InputError(fmt::format("{}:{}:{}", name_, line_, at - line_begin_ + 1), what);
 }
 
-void LineReader::expect(std::string_view text) {
-  if (starts_with(text)) {
-    at_ += text.size();
-    return;
-  }
+void LineReader::fail_expecting(std::string_view text) const {
   if (at_ == end_) fail(at_, fmt::format("the file ends here, want {}", printable(text)));
   fail(at_, fmt::format("found {}, want {}", printable({at_, std::min(left(), text.size())}), printable(text)));
 }
 
-void LineReader::end_line() {
-  if (at_ != end_ && *at_ != '\n')
-    fail(at_, fmt::format("found {}, want the end of the line", printable(word_at(at_))));
-  expect("\n");
-  ++line_;
-  line_begin_ = at_;
+void LineReader::fail_at_end_of_line() const {
+  if (at_ == end_) fail(at_, "the file ends here, want the end of the line");
+  fail(at_, fmt::format("found {}, want the end of the line", printable(word_at(at_))));
 }
 
 std::string_view LineReader::word_at(const char* at) const {

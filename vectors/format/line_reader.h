@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -28,11 +29,19 @@ class LineReader : public SetReader {
   [[noreturn]] void fail(const char* at, const std::string& what) const;
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   bool starts_with(std::string_view text) const {
-    return left() >= text.size() && std::string_view(at_, text.size()) == text;
+    return left() >= text.size() && std::memcmp(at_, text.data(), text.size()) == 0;
   }
   /// Passes over this text or fails, naming it.
-  void expect(std::string_view text);
-  void end_line();
+  void expect(std::string_view text) {
+    if (!starts_with(text)) fail_expecting(text);
+    at_ += text.size();
+  }
+  void end_line() {
+    if (at_ == end_ || *at_ != '\n') fail_at_end_of_line();
+    ++at_;
+    ++line_;
+    line_begin_ = at_;
+  }
   /// An unsigned decimal without leading zeros, up to `most`.
   std::uint64_t read_number(const char* name, std::uint64_t most);
   /// "id class": checks that ids rise and that the unit has the class.
@@ -46,6 +55,8 @@ class LineReader : public SetReader {
   const char* end_;
 
  private:
+  [[noreturn]] void fail_expecting(std::string_view text) const;
+  [[noreturn]] void fail_at_end_of_line() const;
   void read_header();
   std::string_view read_value(std::string_view key);
   void read_trailer();

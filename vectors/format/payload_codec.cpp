@@ -1,0 +1,125 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "vectors/format/payload_codec.h"
+
+#include <bit>
+#include <cstring>
+
+namespace cbvh::vectors {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+std::uint64_t load(const CodecLeaf& leaf, const void* payload) {
+  std::uint64_t raw = 0;
+  std::memcpy(&raw, static_cast<const char*>(payload) + leaf.offset, leaf.size);
+  return raw;
+}
+
+void store(const CodecLeaf& leaf, void* payload, std::uint64_t raw) {
+  std::memcpy(static_cast<char*>(payload) + leaf.offset, &raw, leaf.size);
+}
+
+/// The bits [bit, bit + width) of a packed payload; bit 0 is the lowest of byte 0.
+void put_bits(std::uint8_t* bytes, int bit, int width, std::uint64_t raw) {
+  while (width > 0) {
+    const int used = bit & 7;
+    const int taken = width < 8 - used ? width : 8 - used;
+    bytes[bit >> 3] = static_cast<std::uint8_t>(bytes[bit >> 3] | ((raw & rtl::low_mask(taken)) << used));
+    raw >>= taken;
+    bit += taken;
+    width -= taken;
+  }
+}
+
+std::uint64_t get_bits(const std::uint8_t* bytes, int bit, int width) {
+  std::uint64_t raw = 0;
+  for (int done = 0; done < width;) {
+    const int used = bit & 7;
+    const int taken = width - done < 8 - used ? width - done : 8 - used;
+    raw |= ((static_cast<std::uint64_t>(bytes[bit >> 3]) >> used) & rtl::low_mask(taken)) << done;
+    bit += taken;
+    done += taken;
+  }
+  return raw;
+}
+
+template <class Count>
+std::size_t sum(const std::vector<CodecLeaf>& leaves, Count&& count) {
+  std::size_t total = 0;
+  for (const CodecLeaf& leaf : leaves) total += static_cast<std::size_t>(count(leaf.width));
+  return total;
+}
+
+}  // namespace
+
+namespace detail {
+
+std::string element_path(const std::string& path, std::size_t size, std::size_t index) {
+  const std::string name = size == 3 ? std::string(1, static_cast<char>('x' + index)) : std::to_string(index);
+  return path.empty() ? name : path + "_" + name;
+}
+
+std::string field_path(const std::string& path, const char* name) { return path.empty() ? name : path + "_" + name; }
+
+}  // namespace detail
+
+PayloadCodec::PayloadCodec(std::vector<CodecLeaf> leaf_table, std::size_t size, Parse parse)
+    : leaves(std::move(leaf_table)),
+      width(sum(leaves, [](int w) { return w; })),
+      text_length(sum(leaves, [](int w) { return hex_digits(w) + 1; }) - 1),
+      object_size(size),
+      parse_(parse) {}
+
+std::string PayloadCodec::field_names() const {
+  std::string names;
+  for (const CodecLeaf& leaf : leaves) names += (names.empty() ? "" : ":") + leaf.name;
+  return names;
+}
+
+bool PayloadCodec::parse_by_table(const char* text, void* payload) const {
+  unsigned bad = 0;
+  const char* const end = text + text_length;
+  for (const CodecLeaf& leaf : leaves) {
+    std::uint64_t raw = 0;
+    for (int left = hex_digits(leaf.width); left > 0; --left) {
+      const std::uint8_t digit = detail::kDigitValues[static_cast<std::uint8_t>(*text++)];
+      bad |= digit & detail::kNoDigit;
+      raw = (raw << 4) | (digit & 0xFU);
+    }
+    if (raw > rtl::low_mask(leaf.width)) return false;
+    store(leaf, payload, raw);
+    if (text != end && *text++ != ' ') return false;
+  }
+  return bad == 0;
+}
+
+void PayloadCodec::print_text(const void* payload, char* text) const {
+  const char* const end = text + text_length;
+  for (const CodecLeaf& leaf : leaves) {
+    std::uint64_t raw = load(leaf, payload);
+    const int digits = hex_digits(leaf.width);
+    for (int i = digits - 1; i >= 0; --i, raw >>= 4) text[i] = "0123456789ABCDEF"[raw & 0xF];
+    text += digits;
+    if (text != end) *text++ = ' ';
+  }
+}
+
+void PayloadCodec::pack(const void* payload, std::uint8_t* bytes) const {
+  std::memset(bytes, 0, packed_bytes());
+  int bit = 0;
+  for (const CodecLeaf& leaf : leaves) {
+    put_bits(bytes, bit, leaf.width, load(leaf, payload));
+    bit += leaf.width;
+  }
+}
+
+bool PayloadCodec::unpack(const std::uint8_t* bytes, void* payload) const {
+  int bit = 0;
+  for (const CodecLeaf& leaf : leaves) {
+    store(leaf, payload, get_bits(bytes, bit, leaf.width));
+    bit += leaf.width;
+  }
+  return bit % 8 == 0 || (bytes[bit / 8] >> (bit % 8)) == 0;
+}
+
+}  // namespace cbvh::vectors
