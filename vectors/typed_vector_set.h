@@ -72,6 +72,11 @@ class TypedVectorSet final : public VectorSet {
   std::size_t stimulus_count() const override { return stimuli_.size(); }
   std::size_t response_count() const override { return responses_.size(); }
 
+  void add_golden_responses() override {
+    const auto last = stimuli(size() - 1);
+    append_golden({last.begin(), last.end()});
+  }
+
   void generate_case(std::uint64_t id) override {
     Random random(mix(seed(), id));
     const std::size_t case_class = id % unit().generated_classes();

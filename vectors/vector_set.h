@@ -90,6 +90,8 @@ class VectorSet {
   virtual std::size_t stimulus_count() const = 0;
   virtual std::size_t response_count() const = 0;
 
+  /// Ends the last case with the golden's responses to its stimuli.
+  virtual void add_golden_responses() = 0;
   /// Adds case `id` as the generator makes it from seed(), with the golden's responses.
   virtual void generate_case(std::uint64_t id) = 0;
   /// Adds a copy of a case of another set of the same unit and parameters.

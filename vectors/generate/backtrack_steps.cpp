@@ -87,6 +87,7 @@ Context changed(const Stored& stored, std::size_t case_class, Random& random, in
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Shift shift = case_class == kFullSpan ? Shift::all : any_shift(random);
     int gap = random.between(0, 4);
+    if (case_class == kLeftSpine || case_class == kRightSpine) gap = random.between(0, 24);
     if (case_class == kFarCoarser) gap = random.between(8, 24);
     if (case_class == kStopsAtOnce) gap = 1;
     if (case_class == kLowerOnly) gap = 0;

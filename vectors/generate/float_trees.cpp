@@ -6,18 +6,10 @@
 #include <functional>
 
 #include "golden/quantize/quantize.h"
+#include "vectors/convert.h"
 
 namespace cbvh::vectors {
 namespace {
-
-rtl::FloatBox to_wires(const golden::Box& box) {
-  rtl::FloatBox wires;
-  for (int axis = 0; axis < 3; ++axis) {
-    wires.lower[static_cast<std::size_t>(axis)] = rtl::Float32::of(box.lower[axis]);
-    wires.upper[static_cast<std::size_t>(axis)] = rtl::Float32::of(box.upper[axis]);
-  }
-  return wires;
-}
 
 /// The largest |coordinate| of a box.
 float magnitude_of(const rtl::FloatBox& box) {
@@ -140,7 +132,7 @@ TreeNode TreeEmitter::pair(const TreeNode& left, const TreeNode& right) {
   rtl::StreamJob job;
   const TreeNode* children[] = {&left, &right};
   for (std::size_t c = 0; c < 2; ++c) {
-    job.pair.box[c] = to_wires(children[c]->box);
+    job.pair.box[c] = float_box(children[c]->box);
     job.pair.leaf[c] = rtl::UInt<1>(children[c]->leaf);
     job.pair.pointer[c] = rtl::Pointer(children[c]->pointer);
   }
@@ -170,16 +162,7 @@ TreeEmitter random_tree(TreeShape shape, TreePlaces places, int levels, Random& 
 std::vector<rtl::StreamJob> stream_of(const golden::FloatTree& tree, const rtl::SceneRegisters& registers) {
   std::vector<rtl::StreamJob> jobs;
   jobs.reserve(tree.pairs.size());
-  for (const golden::FloatPair& pair : tree.pairs) {
-    rtl::StreamJob& job = jobs.emplace_back();
-    for (std::size_t c = 0; c < 2; ++c) {
-      job.pair.box[c] = to_wires(pair.child[c]);
-      job.pair.leaf[c] = rtl::UInt<1>(pair.leaf[c]);
-      job.pair.pointer[c] = rtl::Pointer(pair.pointer[c]);
-    }
-    job.registers = registers;
-  }
-  if (!jobs.empty()) jobs.back().root = rtl::UInt<1>(1);
+  for (std::size_t i = 0; i < tree.pairs.size(); ++i) jobs.push_back(stream_job(tree, i, registers));
   return jobs;
 }
 

@@ -148,7 +148,7 @@ Interval degenerate(Random& random, int bits) {
 Interval saturated(Random& random, int bits) {
   const int cells = random.between(1, std::max(1, (1 << bits) / 4));
   Interval interval = of_cells(cells, random, random.flip());
-  interval.registers.min_scale = rtl::Scale(interval.scale - (random.flip() ? 0 : random.between(0, 2)));
+  interval.registers.min_scale = rtl::Scale(interval.scale - static_cast<int>(random.below(2)));
   return interval;
 }
 
