@@ -12,6 +12,7 @@
 #include <iterator>
 
 #include "golden/input_error.h"
+#include "golden/tree/atomic_file.h"
 
 namespace cbvh::testbench {
 
@@ -31,21 +32,8 @@ void Output::text(const std::string& text) const {
 void Output::json(const Json& json) const {
   if (json_path_.empty()) return;
   const std::string text = json.dump(2) + '\n';
-  if (json_path_ != "-") return write_file(json_path_, text);
+  if (json_path_ != "-") return golden::write_file_atomically(json_path_, text);
   std::fwrite(text.data(), 1, text.size(), stdout);
-}
-
-void write_file(const std::string& path, const std::string& content) {
-  const bool plain = !std::filesystem::exists(path) || std::filesystem::is_regular_file(path);
-  const std::string target = plain ? path + ".part" : path;  // a device or a pipe is written in place
-  errno = 0;
-  std::ofstream file(target, std::ios::binary);
-  file << content;
-  file.close();
-  if (!file) throw golden::InputError(path, fmt::format("cannot write: {}", std::strerror(errno)));
-  std::error_code failed;
-  if (plain) std::filesystem::rename(target, path, failed);
-  if (failed) throw golden::InputError(path, "cannot write: " + failed.message());
 }
 
 std::string read_text_file(const std::string& path) {

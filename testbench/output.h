@@ -27,9 +27,6 @@ class Output {
   std::string json_path_;
 };
 
-/// Writes a whole file: a temporary one first, so that no reader sees half of it. Throws InputError.
-void write_file(const std::string& path, const std::string& content);
-
 /// Reads a whole file. Throws InputError.
 std::string read_text_file(const std::string& path);
 

@@ -4,13 +4,12 @@
 #include <cstdint>
 #include <string>
 
+#include "vectors/vector_set.h"
+
 namespace cbvh::testbench {
 
-/// A share of a numbered set of cases: those whose number is `index` modulo `count`. Shares are disjoint and cover all.
-struct Shard {
-  std::uint64_t index = 0;
-  std::uint64_t count = 1;
-};
+/// A share of a numbered set of cases. Shares are disjoint and cover all.
+using vectors::Shard;
 
 inline bool owns(const Shard& shard, std::uint64_t number) { return number % shard.count == shard.index; }
 inline bool is_whole(const Shard& shard) { return shard.count == 1; }

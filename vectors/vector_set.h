@@ -94,6 +94,8 @@ class VectorSet {
   virtual void add_golden_responses() = 0;
   /// Adds case `id` as the generator makes it from seed(), with the golden's responses.
   virtual void generate_case(std::uint64_t id) = 0;
+  /// Gives the last case, whose stimuli have all been added, the golden's responses to them.
+  virtual void complete_case() = 0;
   /// Adds a copy of a case of another set of the same unit and parameters.
   void copy_case(const VectorSet& from, std::size_t index);
   /// Compares every stored response and stated latency with the golden's.

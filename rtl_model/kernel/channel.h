@@ -41,6 +41,8 @@ class Channel {
 
   /// Transfers out of the channel so far: it grows when the cycle of a pop ends.
   std::uint64_t pops() const { return pops_; }
+  /// Transfers into it so far: it grows when the cycle of a push ends.
+  std::uint64_t pushes() const { return pops_ + count_; }
 
   void commit(CommitKey) {
     head_ = (head_ + popped_) & 1u;

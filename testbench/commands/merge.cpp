@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "golden/tree/atomic_file.h"
 #include "testbench/command_line.h"
 #include "testbench/output.h"
 #include "testbench/report/junit.h"
@@ -25,7 +26,7 @@ int run(const Options& options) {
   const Report whole = merge(parts);
   options.output.text(to_string(whole));
   options.output.json(to_json(whole));
-  if (!options.junit.empty()) write_file(options.junit, to_junit(whole));
+  if (!options.junit.empty()) golden::write_file_atomically(options.junit, to_junit(whole));
   return judge(whole).pass() ? kPass : kMismatch;
 }
 

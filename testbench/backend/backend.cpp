@@ -1,0 +1,25 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "testbench/backend/backend.h"
+
+#include "testbench/unavailable.h"
+
+namespace cbvh::testbench {
+
+std::vector<std::string> backend_names() {
+  std::vector<std::string> names;
+  for (MakeBackend* make : all_backends()) names.push_back(make()->name());
+  return names;
+}
+
+std::unique_ptr<Backend> make_backend(const std::string& name) {
+  for (MakeBackend* make : all_backends()) {
+    std::unique_ptr<Backend> backend = make();
+    if (backend->name() != name) continue;
+    const std::string reason = backend->why_unavailable();
+    if (!reason.empty()) throw Unavailable("backend " + name + ": " + reason);
+    return backend;
+  }
+  throw golden::InputError("--backend", fmt::format("unknown '{}', known: {}", name, fmt::join(backend_names(), ", ")));
+}
+
+}  // namespace cbvh::testbench

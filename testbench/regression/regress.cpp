@@ -1,0 +1,84 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "testbench/regression/regress.h"
+
+#include <ctime>
+
+#include "testbench/parallel.h"
+#include "testbench/progress.h"
+#include "testbench/rtl/counting_bits.h"
+
+namespace cbvh::testbench {
+
+namespace {
+
+/// What one thread does at a time.
+struct Piece {
+  std::size_t set;
+  std::vector<std::uint64_t> ids;
+  SetReport found;
+  CornerCounts corners{};
+};
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+std::vector<Piece> make_pieces(const std::vector<PlannedSet>& plan, const RegressionOptions& options) {
+  std::vector<Piece> pieces;
+  for (std::size_t s = 0; s < plan.size(); ++s) {
+    const std::uint64_t first = plan[s].first_id;
+    std::vector<std::uint64_t> ids;
+    for (std::uint64_t id = first; id < first + plan[s].report.total_cases; ++id) {
+      if (!owns(options.shard, id) || (options.only && *options.only != id)) continue;
+      ids.push_back(id);
+      if (ids.size() < plan[s].piece_size) continue;
+      pieces.push_back({s, std::move(ids), plan[s].report});
+      ids.clear();
+    }
+    if (!ids.empty()) pieces.push_back({s, std::move(ids), plan[s].report});
+  }
+  return pieces;
+}
+
+}  // namespace
+
+void run_plan(const std::vector<PlannedSet>& plan, const RegressionOptions& options, Report& report) {
+  std::vector<Piece> pieces = make_pieces(plan, options);
+  {
+    Progress progress(report.command, pieces.size());
+    parallel_for(pieces.size(), options.threads, [&](std::size_t i) {
+      Piece& piece = pieces[i];
+      take_corner_counts();  // of whatever the thread did before
+      const double start = thread_seconds();
+      plan[piece.set].work(piece.ids, piece.found);
+      piece.found.seconds = thread_seconds() - start;
+      piece.corners = take_corner_counts();
+      progress.step();
+    });
+  }
+  const std::size_t first = report.sets.size();
+  for (const PlannedSet& set : plan) report.sets.push_back(set.report);
+  CornerCounts corners{};
+  for (const Piece& piece : pieces) {
+    accumulate(report.sets[first + piece.set], piece.found);
+    for (std::size_t corner = 0; corner < rtl::kCorners; ++corner) corners[corner] += piece.corners[corner];
+  }
+  for (std::size_t corner = 0; corner < rtl::kCorners; ++corner) {
+    report.corners[std::string(rtl::kCornerNames[corner])] += corners[corner];
+  }
+}
+
+Report regress(const RegressionOptions& options) {
+  Report report;
+  report.command = "regress";
+  report.suite = options.suite;
+  report.seed = options.seed;
+  report.shard = options.shard;
+  report.bins_must_be_hit = options.suite == "full" && !options.restricted();
+  run_plan(make_plan(options), options, report);
+  return report;
+}
+
+}  // namespace cbvh::testbench

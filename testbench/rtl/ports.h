@@ -1,0 +1,110 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rtl_model/kernel/channel.h"
+#include "rtl_model/kernel/stall.h"
+#include "testbench/backend/run_options.h"
+
+/// The ends of channels that a test bench holds. They are clocked like modules. Monitors look at what a cycle has moved
+/// after its channel has committed, so they must be listed behind the channels they watch.
+namespace cbvh::testbench {
+
+/// The seeds of the two ends differ, and differ between cases.
+inline rtl::StallPattern source_stalls(const RunOptions& options, std::uint64_t number) {
+  const bool stalls = options.stalls == Stalls::source || options.stalls == Stalls::both;
+  return stalls ? rtl::StallPattern::bursts(options.stall_seed * 2 + number * 0x9E37) : rtl::StallPattern::never();
+}
+inline rtl::StallPattern sink_stalls(const RunOptions& options, std::uint64_t number) {
+  const bool stalls = options.stalls == Stalls::sink || options.stalls == Stalls::both;
+  return stalls ? rtl::StallPattern::bursts(options.stall_seed * 2 + 1 + number * 0x9E37) : rtl::StallPattern::never();
+}
+
+/// Pushes stimuli as fast as it is let.
+template <class T>
+class Source {
+ public:
+  Source(rtl::Channel<T>& channel, std::span<const T> items, rtl::StallPattern stalls)
+      : channel_(channel), items_(items), stalls_(stalls) {}
+
+  void tick() {
+    const bool holds_back = stalls_.stalls();
+    if (holds_back || next_ == items_.size() || !channel_.can_push()) return;
+    channel_.push(items_[next_++]);
+  }
+  void commit(rtl::CommitKey) {}
+
+ private:
+  rtl::Channel<T>& channel_;
+  std::span<const T> items_;
+  rtl::StallPattern stalls_;
+  std::size_t next_ = 0;
+};
+
+/// Takes responses as fast as its stalls let it, and notes when.
+template <class T>
+class Sink {
+ public:
+  Sink(rtl::Channel<T>& channel, rtl::StallPattern stalls) : channel_(channel), stalls_(stalls) {}
+
+  void tick() {
+    const bool holds_back = stalls_.stalls();
+    if (holds_back || !channel_.can_pop()) return;
+    items.push_back(channel_.pop());
+    cycles.push_back(cycle_);
+  }
+  void commit(rtl::CommitKey) { ++cycle_; }
+
+  std::vector<T> items;
+  std::vector<std::uint64_t> cycles;  ///< of each item
+
+ private:
+  rtl::Channel<T>& channel_;
+  rtl::StallPattern stalls_;
+  std::uint64_t cycle_ = 0;
+};
+
+/// Counts the stimuli that the unit takes, and notes when it does.
+template <class T>
+class AcceptanceMonitor {
+ public:
+  explicit AcceptanceMonitor(const rtl::Channel<T>& channel) : channel_(channel) {}
+
+  void commit(rtl::CommitKey) {
+    if (channel_.pops() != count()) cycles_.push_back(cycle_);
+    ++cycle_;
+  }
+
+  void reserve(std::size_t stimuli) { cycles_.reserve(stimuli); }
+  std::size_t count() const { return cycles_.size(); }
+  std::uint64_t first() const { return cycles_.empty() ? 0 : cycles_[0]; }
+  std::uint64_t operator[](std::size_t index) const { return cycles_[index]; }
+
+ private:
+  const rtl::Channel<T>& channel_;
+  std::vector<std::uint64_t> cycles_;
+  std::uint64_t cycle_ = 0;
+};
+
+/// Notes the cycles in which the unit sends a response, however long the sink then waits.
+template <class T>
+class SendMonitor {
+ public:
+  explicit SendMonitor(const rtl::Channel<T>& channel) : channel_(channel) {}
+
+  void commit(rtl::CommitKey) {
+    if (channel_.pushes() != cycles.size()) cycles.push_back(cycle_);
+    ++cycle_;
+  }
+
+  std::vector<std::uint64_t> cycles;
+
+ private:
+  const rtl::Channel<T>& channel_;
+  std::uint64_t cycle_ = 0;
+};
+
+}  // namespace cbvh::testbench
