@@ -101,7 +101,7 @@ class TypedVectorSet final : public VectorSet {
     verification.counts = counts();
     for (std::size_t index = 0; index < size(); ++index) {
       if constexpr (U::kStateful) {
-        compare(index, U::respond(stimuli(index), parameters()), verification);
+        compare(index, respond_in_place(index), verification);
       } else {
         const Expected<Response> want[] = {{U::respond_one(stimuli_[index], parameters()), U::kLatency}};
         compare(index, want, verification);
@@ -119,6 +119,15 @@ class TypedVectorSet final : public VectorSet {
       for (const Stimulus& stimulus : case_stimuli) {
         responses_.push_back({U::respond_one(stimulus, parameters()), U::kLatency});
       }
+    }
+  }
+
+  /// The golden's responses; what it cannot make sense of is bad input, and gets the case's place.
+  std::vector<Expected<Response>> respond_in_place(std::size_t index) const {
+    try {
+      return U::respond(stimuli(index), parameters());
+    } catch (const golden::InputError& error) {
+      throw golden::InputError(fmt::format("{} case {}", unit().name, head(index).id), error.what());
     }
   }
 

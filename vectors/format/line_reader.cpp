@@ -29,7 +29,6 @@ LineReader::LineReader(std::string_view bytes, std::string name, std::string_vie
       end_(bytes.data() + bytes.size()),
       name_(std::move(name)),
       mark_(mark),
-      begin_(at_),
       line_begin_(at_),
       crc_done_(at_) {
   read_header();

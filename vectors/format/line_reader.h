@@ -64,7 +64,6 @@ class LineReader : public SetReader {
 
   std::string name_;
   std::string_view mark_;
-  const char* begin_;
   const char* line_begin_;
   std::uint64_t line_ = 1;
   const char* crc_done_;

@@ -46,7 +46,9 @@ class Grower {
 
   TreeNode grow(TreeShape shape, int levels, const golden::Box& region) {
     if (levels == 0) return emit_.leaf(leaf_box(region));
-    const auto [left, right] = halves(region);
+    const std::pair<golden::Box, golden::Box> both = halves(region);
+    const golden::Box& left = both.first;
+    const golden::Box& right = both.second;
     switch (shape) {
       case TreeShape::single_pair:
         return join(grow(shape, 0, left), [&] { return grow(shape, 0, right); });

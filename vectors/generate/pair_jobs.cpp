@@ -153,7 +153,9 @@ rtl::PairJob make_pair_job(std::size_t case_class, Random& random, int bits) {
   Draft draft = any_valid(random, bits);
   switch (case_class) {
     case kSeveralReasons:
-      for (int i = random.between(2, 6); i > 0; --i) spoil(draft, random.between(kNotFinite, kTooWide), random, bits);
+      for (int i = random.between(2, 6); i > 0; --i) {
+        spoil(draft, kNotFinite + random.below(kTooWide - kNotFinite + 1), random, bits);
+      }
       break;
     case kContextElsewhere:  // the codes are still cells modulo 2^N
       draft.job.given_context = rtl::UInt<1>(1);

@@ -68,7 +68,7 @@ std::vector<rtl::StackOperation> make_stack_operations(std::size_t case_class, R
     }
     case kReplace:
       fill(random.flip() ? rtl::kContextStackDepth : random.between(2, rtl::kContextStackDepth));
-      for (int i = random.between(2, 12); i > 0; --i) operate(random.between(1, 2), true);
+      for (int i = random.between(2, 12); i > 0; --i) operate(1 + random.below(2), true);
       break;
     case kThreePops:
       fill(random.between(0, 6));

@@ -52,7 +52,7 @@ TEST(Corruption, every_changed_byte_is_refused_or_changes_nothing) {
   for (const Sample& sample : samples()) {
     for (std::size_t at = 0; at < sample.bytes.size(); ++at) {
       std::string bytes = sample.bytes;
-      bytes[at] = static_cast<char>(bytes[at] ^ (1U << random.below(8)));
+      bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1 << random.below(8)));
       accepted += !refused(bytes, sample);
       bytes[at] = static_cast<char>(random.next());
       accepted += bytes != sample.bytes && !refused(bytes, sample);
