@@ -16,7 +16,7 @@ std::unique_ptr<Backend> make_backend(const std::string& name) {
     std::unique_ptr<Backend> backend = make();
     if (backend->name() != name) continue;
     const std::string reason = backend->why_unavailable();
-    if (!reason.empty()) throw Unavailable("backend " + name + ": " + reason);
+    if (!reason.empty()) throw Unavailable(fmt::format("backend {}: {}", name, reason));
     return backend;
   }
   throw golden::InputError("--backend", fmt::format("unknown '{}', known: {}", name, fmt::join(backend_names(), ", ")));

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 
+#include "golden/build/lbvh.h"
 #include "golden/input_error.h"
+#include "golden/scene/load.h"
 #include "testbench/backend/backend.h"
 #include "testbench/regression/check_set.h"
 #include "testbench/regression/committed_sets.h"
 #include "testbench/regression/scene_sets.h"
+#include "vectors/capture.h"
 #include "vectors/format/format.h"
 #include "vectors/registry.h"
 
@@ -16,6 +19,8 @@ namespace cbvh::testbench {
 namespace {
 
 using golden::InputError;
+
+constexpr int kCapturedTreelet = 2;
 
 /// How much a suite does.
 struct Suite {
@@ -91,12 +96,12 @@ PlannedSet generated_set(const vectors::UnitDescription& unit, const vectors::Pa
   return set;
 }
 
-/// A committed set; its ids here are the indices of its cases.
-PlannedSet committed_set(const CommittedSet& committed, std::shared_ptr<const vectors::VectorSet> cases,
-                         const std::string& backend, const RunOptions& run, const RegressionOptions& options) {
+/// A set whose cases are there: a committed or a captured one. Its ids here are the indices of its cases.
+PlannedSet fixed_set(const std::string& name, const std::shared_ptr<const vectors::VectorSet>& cases,
+                     const std::string& backend, const RunOptions& run, const RegressionOptions& options) {
   PlannedSet set;
   set.report.unit = cases->unit().name;
-  set.report.set = fmt::format("committed {}", committed.name);
+  set.report.set = name;
   set.report.backend = backend;
   set.report.mode = mode_name(run);
   set.report.total_cases = cases->size();
@@ -112,6 +117,24 @@ PlannedSet committed_set(const CommittedSet& committed, std::shared_ptr<const ve
         [&](std::uint64_t id) { return fmt::format("{} --only {}", rerun, cases->find(id)); }, report);
   };
   return set;
+}
+
+Scene load(const std::string& spec) {
+  return {spec, std::make_shared<const golden::FloatTree>(golden::build_lbvh(golden::load_scene(spec)))};
+}
+
+/// What a unit meets in a scene; nothing when it meets nothing there.
+std::unique_ptr<vectors::VectorSet> capture(const vectors::UnitDescription& unit, const Scene& scene,
+                                            const Suite& suite) {
+  vectors::Parameters parameters;
+  if (unit.treelets.size() > 1) parameters.treelet = kCapturedTreelet;
+  vectors::CaptureOptions options;
+  options.cases = unit.stateful ? suite.stateful_cases : suite.stateless_cases;
+  try {
+    return vectors::capture_set(unit.name, parameters, *scene.floats, options);
+  } catch (const InputError&) {
+    return nullptr;
+  }
 }
 
 /// The parameter values that a suite wants and a unit takes.
@@ -152,6 +175,8 @@ std::vector<PlannedSet> make_plan(const RegressionOptions& options) {
   const Suite& suite = find_suite(options.suite);
   for (const std::string& unit : options.units) vectors::find_unit(unit);
   const std::vector<RunOptions> modes = modes_of(suite, options);
+  std::vector<Scene> scenes;
+  for (const std::string& spec : options.scenes.empty() ? suite.scenes : options.scenes) scenes.push_back(load(spec));
   std::vector<PlannedSet> plan;
   for (const std::string& name : options.backends.empty() ? std::vector<std::string>{"rtl"} : options.backends) {
     const auto backend = make_backend(name);
@@ -165,15 +190,23 @@ std::vector<PlannedSet> make_plan(const RegressionOptions& options) {
         }
       }
     }
+    const auto append_fixed = [&](const std::string& set_name, std::unique_ptr<vectors::VectorSet> made) {
+      const std::shared_ptr<const vectors::VectorSet> cases = std::move(made);
+      if (!options.wants(cases->unit().name) || !backend->has(cases->unit())) return;
+      for (const RunOptions& mode : modes) plan.push_back(fixed_set(set_name, cases, name, mode, options));
+    };
     for (const CommittedSet& committed : committed_sets()) {
-      const std::shared_ptr<const vectors::VectorSet> cases =
-          vectors::parse_set(committed.bytes, std::string(committed.name));
-      if (!options.wants(cases->unit().name) || !backend->has(cases->unit())) continue;
-      for (const RunOptions& mode : modes) plan.push_back(committed_set(committed, cases, name, mode, options));
+      append_fixed(fmt::format("committed {}", committed.name),
+                   vectors::parse_set(committed.bytes, std::string(committed.name)));
+    }
+    for (const Scene& scene : scenes) {
+      for (const vectors::UnitDescription& unit : vectors::units()) {
+        if (!options.wants(unit.name)) continue;
+        if (auto captured = capture(unit, scene, suite)) append_fixed("captured " + scene.name, std::move(captured));
+      }
     }
     if (name == "rtl" && options.wants(kSceneUnit)) {
-      append_scene_sets(options.scenes.empty() ? suite.scenes : options.scenes, suite.treelets, suite.bits, modes,
-                        options, plan);
+      append_scene_sets(scenes, suite.treelets, suite.bits, modes, options, plan);
     }
   }
   if (!options.set.empty()) std::erase_if(plan, [&](const PlannedSet& set) { return set.report.set != options.set; });

@@ -1,11 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "testbench/regression/scene_sets.h"
 
-#include <memory>
-
-#include "golden/build/lbvh.h"
 #include "golden/quantize/scale.h"
-#include "golden/scene/load.h"
 #include "golden/update/streaming.h"
 #include "golden/update/top_down.h"
 #include "testbench/rtl/stream_tree.h"
@@ -57,12 +53,11 @@ std::vector<StreamOptions> combinations(const std::vector<int>& treelets, const 
 
 }  // namespace
 
-void append_scene_sets(const std::vector<std::string>& scenes, const std::vector<int>& treelets,
-                       const std::vector<int>& bits, const std::vector<RunOptions>& modes,
-                       const RegressionOptions& options, std::vector<PlannedSet>& plan) {
+void append_scene_sets(const std::vector<Scene>& scenes, const std::vector<int>& treelets, const std::vector<int>& bits,
+                       const std::vector<RunOptions>& modes, const RegressionOptions& options,
+                       std::vector<PlannedSet>& plan) {
   std::uint64_t number = 0;
-  for (const std::string& spec : scenes) {
-    const auto floats = std::make_shared<const golden::FloatTree>(golden::build_lbvh(golden::load_scene(spec)));
+  for (const auto& [spec, floats] : scenes) {
     for (const StreamOptions& stream : combinations(treelets, bits, modes)) {
       PlannedSet set;
       set.report.unit = kSceneUnit;
@@ -75,7 +70,7 @@ void append_scene_sets(const std::vector<std::string>& scenes, const std::vector
       RegressionOptions of_scene = options;
       of_scene.scenes = {spec};
       const std::string rerun = rerun_line(of_scene, set);
-      set.work = [floats, stream, rerun](const std::vector<std::uint64_t>& ids, SetReport& report) {
+      set.work = [floats = floats, stream, rerun](const std::vector<std::uint64_t>& ids, SetReport& report) {
         for (const std::uint64_t id : ids) check_tree(*floats, stream, {id, "tree", rerun}, report);
       };
       plan.push_back(set);

@@ -7,7 +7,7 @@ namespace cbvh::testbench {
 
 namespace {
 
-constexpr std::uint64_t kChecksPerPair = 2 * (6 + 1 + 1);
+constexpr std::uint64_t kChecksPerPair = 16;  ///< of two children: six codes, the leaf flag, the pointer
 
 void compare_pair(const golden::CompressedPair& wanted, const golden::CompressedPair& found, std::uint64_t index,
                   const TreeCase& tree_case, SetReport& report) {

@@ -8,8 +8,7 @@ namespace cbvh::testbench {
 
 UnitDriver axis_compressor_driver() {
   return {"axis_compressor", [](const vectors::VectorSet& set, const RunOptions& options) {
-            return vectors::with_bits(set.parameters().bits, [&](auto n) {
-              constexpr int N = decltype(n)::value;
+            return vectors::with_bits(set.parameters().bits, [&]<int N>(std::integral_constant<int, N>) {
               return stream_cases<rtl::AxisJob, rtl::AxisResult<N>>(
                   [](auto& jobs, auto& results) { return rtl::AxisCompressor<CountingBits, N>(jobs, results); }, set,
                   options);

@@ -84,8 +84,7 @@ bool run_steps(std::span<const vectors::BacktrackStep<N>> steps, const RunOption
 
 UnitDriver backtrack_unit_driver() {
   return {"backtrack_unit", [](const vectors::VectorSet& set, const RunOptions& options) {
-            return vectors::with_bits(set.parameters().bits, [&](auto n) {
-              constexpr int N = decltype(n)::value;
+            return vectors::with_bits(set.parameters().bits, [&]<int N>(std::integral_constant<int, N>) {
               using Step = vectors::BacktrackStep<N>;
               using Event = vectors::BacktrackEvent<N>;
               Responses responses(sizeof(Event));

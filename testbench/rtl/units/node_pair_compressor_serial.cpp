@@ -9,8 +9,7 @@ namespace cbvh::testbench {
 UnitDriver node_pair_compressor_serial_driver() {
   return {
       "node_pair_compressor_serial", [](const vectors::VectorSet& set, const RunOptions& options) {
-        return vectors::with_bits(set.parameters().bits, [&](auto n) {
-          constexpr int N = decltype(n)::value;
+        return vectors::with_bits(set.parameters().bits, [&]<int N>(std::integral_constant<int, N>) {
           return stream_cases<rtl::PairJob, rtl::PairResult<N>>(
               [](auto& jobs, auto& results) { return rtl::SerialNodePairCompressor<CountingBits, N>(jobs, results); },
               set, options);

@@ -8,8 +8,7 @@ namespace cbvh::testbench {
 
 UnitDriver scale_estimator_driver() {
   return {"scale_estimator", [](const vectors::VectorSet& set, const RunOptions& options) {
-            return vectors::with_bits(set.parameters().bits, [&](auto n) {
-              constexpr int N = decltype(n)::value;
+            return vectors::with_bits(set.parameters().bits, [&]<int N>(std::integral_constant<int, N>) {
               return stream_cases<rtl::EstimateJob, rtl::EstimateResult>(
                   [](auto& jobs, auto& results) { return rtl::ScaleEstimator<CountingBits, N>(jobs, results); }, set,
                   options);

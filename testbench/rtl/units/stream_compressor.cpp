@@ -53,8 +53,7 @@ class EventWriter {
 
 UnitDriver stream_compressor_driver() {
   return {"stream_compressor", [](const vectors::VectorSet& set, const RunOptions& options) {
-            return vectors::with_bits(set.parameters().bits, [&](auto n) {
-              constexpr int N = decltype(n)::value;
+            return vectors::with_bits(set.parameters().bits, [&]<int N>(std::integral_constant<int, N>) {
               using Event = vectors::StreamEvent<N>;
               Responses responses(sizeof(Event));
               for (std::size_t index = 0; index < set.size(); ++index) {

@@ -8,8 +8,7 @@ namespace cbvh::testbench {
 
 UnitDriver treelet_collector_driver() {
   return {"treelet_collector", [](const vectors::VectorSet& set, const RunOptions& options) {
-            return vectors::with_bits(set.parameters().bits, [&](auto n) {
-              constexpr int N = decltype(n)::value;
+            return vectors::with_bits(set.parameters().bits, [&]<int N>(std::integral_constant<int, N>) {
               return run_episodes<rtl::StreamJob, rtl::FinalPair<N>>(
                   [levels = set.parameters().treelet](auto& jobs, auto& results) {
                     return rtl::TreeletCollector<CountingBits, N>(jobs, results, levels);

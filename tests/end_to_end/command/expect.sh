@@ -23,7 +23,7 @@ refuses() {
   expect 2 "$@"
   [[ ! -s out ]] || fail "cbvh $*: output although it refuses"
   [[ $(wc -l <err) == 1 ]] || fail "cbvh $*: more than one line of error"
-  grep -qE '^cbvh: [^:]+: .' err || fail "cbvh $*: not 'cbvh: place: what'"
+  grep -qE '^cbvh: [^ ]+( [^ ]+)?: .' err || fail "cbvh $*: not 'cbvh: place: what'"
   says err "$text"
 }
 # json EXPRESSION: evaluates to true in python, with the JSON of the file report.json as `j`.

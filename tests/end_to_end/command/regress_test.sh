@@ -3,8 +3,8 @@
 # regress and merge: shards, threads and reports give one total.
 source "$SOURCE/tests/end_to_end/command/expect.sh"
 
-run=(regress --unit axis_compressor context_stack --threads 1)
-expect 0 "${run[@]}" --json report.json --junit whole.xml
+run=(regress --unit axis_compressor context_stack)
+expect 0 "${run[@]}" --threads 1 --json report.json --junit whole.xml
 total=$(tail -n 1 out)
 [[ $total =~ ^[1-9][0-9]*\ passed,\ 0\ failed$ ]] || fail "the last line is not 'N passed, 0 failed'"
 json "j['failed'] == 0 and j['seed'] == 1 and j['shard'] == '0/1' and j['corners']['axis_full_grid'] > 0"

@@ -19,6 +19,13 @@ expect 0 check pairs.vec
 expect 0 gen --unit context_stack --cases 20 -o stack.bin
 expect 0 check stack.bin --stalls both
 
+for unit in axis_compressor backtrack_unit stream_compressor; do
+  expect 0 gen --unit $unit --scene proc:cloth --cases 40 -o captured.vec
+  says captured.vec " captured "
+  expect 0 check captured.vec
+done
+refuses "clothes" gen --unit axis_compressor --scene proc:clothes -o captured.vec
+
 expect 0 check a.vec --only 17 --dump-case
 says out "# cbvh-vectors 1 unit=axis_compressor"
 [[ $(tail -n 1 out) == "16 passed, 0 failed" ]] || fail "one case"
