@@ -21,6 +21,13 @@ inline CornerCounts take_corner_counts() {
   return counts;
 }
 
+#ifdef CBVH_RTL_BITS_HEADER
+}  // namespace cbvh::testbench
+#include CBVH_RTL_BITS_HEADER
+namespace cbvh::testbench {
+/// A test build puts a bit type of its own in the place of the one below.
+using CountingBits = CBVH_RTL_BITS;
+#else
 /// Machine bits that count the corners they see taken: on the thread that simulates, so without a lock.
 struct CountingBits : rtl::MachineBits {
   static U<1> corner(rtl::Corner corner, U<1> taken) {
@@ -28,5 +35,6 @@ struct CountingBits : rtl::MachineBits {
     return taken;
   }
 };
+#endif
 
 }  // namespace cbvh::testbench

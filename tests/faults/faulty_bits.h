@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -18,7 +19,7 @@ struct Fault {
   Kind kind = Kind::none;
   rtl::Datapath datapath{};  ///< operator_result: whose
   std::uint32_t site = 0;    ///< operator_result: which operator of it, counted in order of evaluation
-  std::uint32_t bit = 0;     ///< operator_result: which bit of the result is inverted, modulo its width
+  std::uint32_t bit = 0;     ///< operator_result: which bit of the result is inverted; at most the highest
   rtl::Corner corner{};      ///< decision: which one is inverted
 
   /// "compress_axis:17:3" or "decision:combiner_merges".
@@ -49,7 +50,7 @@ struct FaultyHook {
         active_fault.site != site) {
       return raw;
     }
-    return raw ^ (std::uint64_t{1} << (active_fault.bit % W));
+    return raw ^ (std::uint64_t{1} << std::min<std::uint32_t>(active_fault.bit, W - 1));
   }
 };
 
