@@ -36,7 +36,7 @@ Bins empty_classes(const vectors::UnitDescription& unit) {
 
 void check_set(const vectors::VectorSet& set, const Backend& backend, const RunOptions& options,
                const std::function<std::string(std::uint64_t id)>& rerun, SetReport& report) {
-  const CompareOptions compare_options{options.stalls == Stalls::none, rerun};
+  const CompareOptions compare_options{options.stalls != Stalls::none, rerun};
   const bool failed_before = !report.mismatches.empty();
   compare(set, backend.run(set, options), compare_options, report);
   if (failed_before || report.mismatches.empty()) return;

@@ -10,7 +10,7 @@
 namespace cbvh::testbench {
 
 /// Runs the cases of a set on a backend and compares. Of the first case that fails a minimal one is sought and attached
-/// to its mismatch. Latencies are compared when nothing stalls.
+/// to its mismatch. A stalled response may be late, never early.
 void check_set(const vectors::VectorSet& set, const Backend& backend, const RunOptions& options,
                const std::function<std::string(std::uint64_t id)>& rerun, SetReport& report);
 

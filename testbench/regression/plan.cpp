@@ -63,7 +63,7 @@ std::vector<RunOptions> modes_of(const Suite& suite, const RegressionOptions& op
     mode.stall_seed = options.seed;
     mode.shuffle = options.shuffle;
     modes.push_back(mode);
-    if (!suite.shuffled_too || options.shuffle) continue;
+    if (!suite.shuffled_too || options.shuffle || !options.stalls.empty()) continue;
     mode.shuffle = options.seed;
     modes.push_back(mode);
   }

@@ -27,8 +27,7 @@ class Comparison {
     const VectorSet::Range wanted = wanted_.response_range(index);
     const Responses::Case found = found_.at_case(index);
     for (std::size_t i = 0; i < wanted.size; ++i) {
-      const std::uint32_t latency =
-          options_.latencies ? wanted_.latency_at(wanted.begin + i) : vectors::kLatencyNotStated;
+      const std::uint32_t latency = wanted_.latency_at(wanted.begin + i);
       const bool stated = latency != vectors::kLatencyNotStated;
       report_.checks += codec_.leaves.size() + (stated ? 1 : 0);
       if (i >= found.size) {
@@ -38,8 +37,9 @@ class Comparison {
         continue;
       }
       compare_fields(i, found_.response(found.begin + i), wanted_.response_at(wanted.begin + i));
-      if (stated && found_.latency(found.begin + i) != latency) {
-        fail(i, "latency", std::to_string(found_.latency(found.begin + i)), std::to_string(latency));
+      if (stated && !in_time(found_.latency(found.begin + i), latency)) {
+        fail(i, "latency", std::to_string(found_.latency(found.begin + i)),
+             (options_.stalled ? "at least " : "") + std::to_string(latency));
       }
     }
     for (std::size_t i = wanted.size; i < found.size; ++i) {
@@ -53,6 +53,10 @@ class Comparison {
   }
 
  private:
+  bool in_time(std::uint32_t found, std::uint32_t stated) const {
+    return options_.stalled ? found >= stated : found == stated;
+  }
+
   void compare_fields(std::size_t response, const void* found, const void* wanted) {
     if (std::memcmp(found, wanted, codec_.object_size) == 0) return;
     const std::string found_text = text_of(codec_, found);

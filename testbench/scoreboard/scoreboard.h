@@ -11,7 +11,7 @@
 namespace cbvh::testbench {
 
 struct CompareOptions {
-  bool latencies = true;  ///< also compare the cycle of every response that states it
+  bool stalled = false;  ///< a response may come later than stated, but never earlier; else in its cycle exactly
   /// The command line that reruns the case of this id alone.
   std::function<std::string(std::uint64_t id)> rerun = [](std::uint64_t) { return std::string(); };
 };
