@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 
 #include "golden/build/lbvh.h"
 #include "golden/quantize/scale.h"
@@ -83,6 +84,8 @@ std::string path_of(const std::string& scene) {
   const std::filesystem::path path = std::filesystem::path(folder) / (scene + ".glb");
   return std::filesystem::exists(path) ? path.string() : std::string();
 }
+
+std::ostream& operator<<(std::ostream& out, const SceneRow& row) { return out << row.scene; }
 
 class ReferenceTrees : public testing::TestWithParam<SceneRow> {
  protected:
