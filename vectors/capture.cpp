@@ -140,6 +140,7 @@ void capture_backtracking(const golden::FloatTree& tree, const Stream& stream, c
     if (!repairs || !collection.wants_next()) return;
     with_bits(bits, [&](auto n) {
       std::vector<BacktrackStep<decltype(n)::value>> wires;
+      wires.reserve(steps.size());
       for (const PlainBacktrackStep& step : steps) wires.push_back(to_wires<decltype(n)::value>(step));
       collection.add(std::span<const BacktrackStep<decltype(n)::value>>(wires));
     });

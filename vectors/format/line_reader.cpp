@@ -124,11 +124,11 @@ void LineReader::read_header() {
   };
   placed(unit, [&] { unit_ = &find_unit(printable_short(unit)); });
   expect(" bits=");
-  const char* const parameters_at = at_;
+  const std::string_view parameters_place(at_, at_);
   parameters_.bits = static_cast<int>(read_number("bits", 1000));
   expect(" treelet=");
   parameters_.treelet = static_cast<int>(read_number("treelet", 1000));
-  placed({parameters_at, 0}, [&] { make_set(*unit_, parameters_, 0); });
+  placed(parameters_place, [&] { make_set(*unit_, parameters_, 0); });
   expect(" seed=");
   seed_ = read_number("seed", kMost);
   const std::string_view fields = read_value(" fields=");

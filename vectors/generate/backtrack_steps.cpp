@@ -145,7 +145,7 @@ std::vector<PlainBacktrackStep> make_backtrack_steps(std::size_t case_class, Ran
   if (case_class == kFromStream) {
     for (int attempt = 0; attempt < 8; ++attempt) {  // most streams repair something
       const std::vector<rtl::StreamJob> stream = make_valid_stream(random);
-      const Steps steps = backtrack_steps_of(stream, random.between(1, 3), bits);
+      Steps steps = backtrack_steps_of(stream, random.between(1, 3), bits);
       if (std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step.repair; })) return steps;
     }
   }
