@@ -30,7 +30,7 @@ struct BacktrackUnit {
   static constexpr std::string_view kName = "backtrack_unit";
   static constexpr std::string_view kSummary =
       "re-encodes pairs in memory for a coarser grid, and what that changes below";
-  static constexpr std::string_view kLatencyText = "6 a pair, then 1, with memory answering after 4";
+  static constexpr std::string_view kLatencyText = "6 a repair, then 1";
   static constexpr bool kStateful = true;
   static constexpr bool kTreelet = false;
   static constexpr const auto& kClasses = kBacktrackClasses;

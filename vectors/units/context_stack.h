@@ -15,7 +15,7 @@ struct ContextStack {
   using Response = rtl::StackReply;
   static constexpr std::string_view kName = "context_stack";
   static constexpr std::string_view kSummary = "traversal contexts of open subtrees: takes up to two, then adds one";
-  static constexpr std::string_view kLatencyText = "1 from its operation: reply i at i + 1";
+  static constexpr std::string_view kLatencyText = "1";
   static constexpr bool kStateful = true;
   static constexpr bool kTreelet = false;
   static constexpr const auto& kClasses = kStackClasses;

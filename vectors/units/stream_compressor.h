@@ -17,7 +17,7 @@ struct StreamCompressor {
   static constexpr std::string_view kName = "stream_compressor";
   static constexpr std::string_view kSummary = "float pairs in emission order to a compressed tree in memory";
   static constexpr std::string_view kLatencyText =
-      "of an episode's first report, without repairs: 2 after the last final pair";
+      "6 D + 3, if no repairs";
   static constexpr bool kStateful = true;
   static constexpr bool kTreelet = true;
   static constexpr const auto& kClasses = kStreamClasses;

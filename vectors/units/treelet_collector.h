@@ -35,7 +35,7 @@ template <int N>
 struct TreeletCollector : CollectorUnit<N, false> {
   static constexpr std::string_view kName = "treelet_collector";
   static constexpr std::string_view kSummary = "float pairs to final pairs through treelets, each compressed anew";
-  static constexpr std::string_view kLatencyText = "6 D + 1 from the arrival that makes a pair final, one a cycle";
+  static constexpr std::string_view kLatencyText = "6 D + 1, one a cycle";
 };
 
 /// Keeps treelets compressed and repairs what a new root invalidates; the same answers.
@@ -43,7 +43,7 @@ template <int N>
 struct LazyTreeletCollector : CollectorUnit<N, true> {
   static constexpr std::string_view kName = "lazy_treelet_collector";
   static constexpr std::string_view kSummary = "float pairs to final pairs through treelets, kept compressed on chip";
-  static constexpr std::string_view kLatencyText = "7 from that arrival, 1 more a pair re-encoded on chip";
+  static constexpr std::string_view kLatencyText = "7 + on-chip repairs";
 };
 
 }  // namespace cbvh::vectors
