@@ -16,8 +16,7 @@ struct StreamCompressor {
   using Kind = typename Response::Kind;
   static constexpr std::string_view kName = "stream_compressor";
   static constexpr std::string_view kSummary = "float pairs in emission order to a compressed tree in memory";
-  static constexpr std::string_view kLatencyText =
-      "6 D + 3, if no repairs";
+  static constexpr std::string_view kLatencyText = "6 D + 3, if no repairs";
   static constexpr bool kStateful = true;
   static constexpr bool kTreelet = true;
   static constexpr const auto& kClasses = kStreamClasses;
