@@ -48,7 +48,7 @@ class UInt {
   constexpr UInt() = default;
   constexpr explicit UInt(std::uint64_t value) : raw_(static_cast<Storage<W>>(value)) { assert(value <= low_mask(W)); }
   template <int V>
-  requires(V < W) constexpr UInt(UInt<V, Hook> narrower) : raw_(narrower.raw()) {}
+  requires(V < W) constexpr UInt(UInt<V, Hook> narrower) : raw_(static_cast<Storage<W>>(narrower.raw())) {}
 
   /// The low W bits of `raw`, as an operation of the hardware produced them.
   static constexpr UInt of_result(std::uint64_t raw) { return of_raw(Hook::template result<W>(raw & low_mask(W))); }
