@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <tuple>
 
 #include "rtl_model/compress/axis_compressor.h"
@@ -23,13 +22,13 @@ class SerialNodePairCompressor {
     return std::tie(control_, estimate_jobs_, estimator_, estimates_, axis_jobs_, compressor_, axis_results_);
   }
 
-  /// The channels between the parts. `dump` is a ValueChangeDump.
-  template <class Dump>
-  void trace(Dump& dump, const std::string& path) const {
-    dump.add(path + ".estimate_jobs", estimate_jobs_);
-    dump.add(path + ".estimates", estimates_);
-    dump.add(path + ".axis_jobs", axis_jobs_);
-    dump.add(path + ".axis_results", axis_results_);
+  /// The channels between the parts (rtl_model/kernel/netlist.h).
+  template <class Visit>
+  void channels(Visit&& visit) const {
+    visit("estimate_jobs", "control", "scale_estimator", estimate_jobs_);
+    visit("estimates", "scale_estimator", "control", estimates_);
+    visit("axis_jobs", "control", "axis_compressor", axis_jobs_);
+    visit("axis_results", "axis_compressor", "control", axis_results_);
   }
 
  private:

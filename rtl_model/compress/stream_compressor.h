@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <tuple>
 
 #include "rtl_model/compress/backtrack_unit.h"
@@ -27,13 +26,13 @@ class StreamCompressor {
     return std::tie(collector_, finals_, combiner_, repair_jobs_, repairs_done_, repair_requests_, backtrack_);
   }
 
-  /// The channels between the parts. `dump` is a ValueChangeDump.
-  template <class Dump>
-  void trace(Dump& dump, const std::string& path) const {
-    dump.add(path + ".finals", finals_);
-    dump.add(path + ".repair_jobs", repair_jobs_);
-    dump.add(path + ".repairs_done", repairs_done_);
-    dump.add(path + ".repair_requests", repair_requests_);
+  /// The channels between the parts (rtl_model/kernel/netlist.h).
+  template <class Visit>
+  void channels(Visit&& visit) const {
+    visit("finals", "treelet_collector", "line_combiner", finals_);
+    visit("repair_jobs", "line_combiner", "backtrack_unit", repair_jobs_);
+    visit("repairs_done", "backtrack_unit", "line_combiner", repairs_done_);
+    visit("repair_requests", "backtrack_unit", "line_combiner", repair_requests_);
   }
 
  private:

@@ -33,10 +33,15 @@ class ValueChangeDump {
   void add(const std::string& path, const Reg<T>& reg) {
     add_payload<T>(path, [&reg]() -> const T* { return &reg.q(); });
   }
-  /// The signals of a module, which lists them in `trace(dump, path)`.
-  template <class Module>
-  requires requires(const Module& module, ValueChangeDump& dump) { module.trace(dump, std::string()); }
-  void add(const std::string& path, const Module& module) { module.trace(*this, path); }
+  /// The channels of a composite (netlist.h).
+  template <class Design>
+  requires requires(const Design& design) {
+    design.channels([](const char*, const char*, const char*, const auto&) {});
+  }
+  void add(const std::string& path, const Design& design) {
+    design.channels(
+        [&](const char* name, const char*, const char*, const auto& channel) { add(path + "." + name, channel); });
+  }
 
   /// Call once a cycle, after the clock's step. The header is written at the first call.
   void sample(std::uint64_t cycle);
