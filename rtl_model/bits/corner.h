@@ -40,6 +40,9 @@ enum class Corner : std::uint8_t {
   combiner_flushes_for_read,  ///< a repair wants the line that is being combined
   stream_single_pair,
   stream_stops_on_error,
+  writer_evicts,     ///< a held line makes room for another
+  writer_completes,  ///< the last pair of a held line arrives
+  writer_forwards,   ///< a read is answered from a held line
   count
 };
 
@@ -53,7 +56,7 @@ constexpr std::array<std::string_view, kCorners> kCornerNames = {
     "child_lower_changed",    "stack_overflow",        "stack_underflow",           "collector_row_output",
     "collector_queue_full",   "collector_flush",       "backtrack_recurses",        "backtrack_both_children",
     "backtrack_stops",        "combiner_merges",       "combiner_flushes_for_read", "stream_single_pair",
-    "stream_stops_on_error"};
+    "stream_stops_on_error",  "writer_evicts",         "writer_completes",          "writer_forwards"};
 
 /// The combinational functions of the design. Each announces itself when it starts, so that an observing bit type can
 /// tell one's operators from another's.

@@ -27,7 +27,7 @@ class BacktrackUnit {
         [[fallthrough]];
       case State::read:
         if (!requests_.can_push()) return;
-        requests_.push({UInt<1>(0), line(), {}, {}});
+        requests_.push({UInt<1>(0), line(), slot_mask(), {}});
         state_ = State::write;
         return;
       case State::write:
@@ -48,10 +48,11 @@ class BacktrackUnit {
 
   UInt<kLineBits> line() const { return bits<kPointerBits - 1, 2>(current_.pointer); }
   std::size_t slot() const { return bits<1, 0>(current_.pointer).value(); }
+  UInt<kPairsPerLine> slot_mask() const { return UInt<kPairsPerLine>(std::uint64_t{1} << slot()); }
 
   void repair(const MemoryLine<N>& stored) {
     const auto fixed = reencode<Bits, N>(stored.pairs[slot()], current_.before, current_.after, current_.registers);
-    MemoryRequest<N> request{UInt<1>(1), line(), UInt<kPairsPerLine>(std::uint64_t{1} << slot()), {}};
+    MemoryRequest<N> request{UInt<1>(1), line(), slot_mask(), {}};
     request.pairs[slot()] = fixed.pair;
     requests_.push(request);
     ++repairs_;

@@ -243,7 +243,8 @@ struct StackReply {
   bool operator==(const StackReply&) const = default;
 };
 
-/// One 64-byte access. Reads return the line; writes change the pairs of the mask and return nothing.
+/// One 64-byte access. Reads return the line, of which one pair is wanted, that of the mask; writes change the pairs of
+/// the mask and return nothing.
 template <int N>
 struct MemoryRequest {
   UInt<1> write;

@@ -10,12 +10,6 @@
 
 namespace cbvh::rtl {
 
-/// The two channels of one client of a memory.
-struct LinePort {
-  Channel<LineRequest>* requests;
-  Channel<LineData>* answers;
-};
-
 /// A memory that takes a request a clock at every port and answers `latency` clocks later, plus a random delay of up to
 /// `jitter`: for tests of modules, and for asking what a design would do without DRAM.
 class IdealLineMemory {

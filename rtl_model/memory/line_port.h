@@ -4,6 +4,7 @@
 #include <array>
 
 #include "rtl_model/bits/fields.h"
+#include "rtl_model/kernel/channel.h"
 
 /// A port to external memory: requests one way, answers the other. The memory takes a port's requests in order, and
 /// its content is defined by the order in which it takes them: a read returns what all requests taken before it, at any
@@ -36,6 +37,12 @@ struct LineData {
   LineWords words;
   static constexpr auto fields() { return field_list("words", &LineData::words); }
   bool operator==(const LineData&) const = default;
+};
+
+/// The two channels of one client of a memory.
+struct LinePort {
+  Channel<LineRequest>* requests;
+  Channel<LineData>* answers;
 };
 
 }  // namespace cbvh::rtl
