@@ -43,20 +43,28 @@ enum class Corner : std::uint8_t {
   writer_evicts,     ///< a held line makes room for another
   writer_completes,  ///< the last pair of a held line arrives
   writer_forwards,   ///< a read is answered from a held line
+  primitive_not_finite,
+  morton_quarter,   ///< the extent of the scene overflows
+  morton_flat,      ///< the scene has no extent
+  sorter_next_run,  ///< a record that comes too late for the run that is being written
   count
 };
 
 constexpr std::size_t kCorners = static_cast<std::size_t>(Corner::count);
 
 constexpr std::array<std::string_view, kCorners> kCornerNames = {
-    "axis_not_finite",        "axis_inverted",         "axis_beyond_exactness",     "axis_scale_below_minimum",
-    "axis_too_wide",          "axis_negative_inexact", "axis_all_bits_dropped",     "axis_full_grid",
-    "axis_minimum_scale",     "axis_edge_infinite",    "axis_edge_subnormal",       "estimate_one_coarser",
-    "estimate_minimum_scale", "decode_full_span",      "coarsen_rounds_up",         "child_scale_changed",
-    "child_lower_changed",    "stack_overflow",        "stack_underflow",           "collector_row_output",
-    "collector_queue_full",   "collector_flush",       "backtrack_recurses",        "backtrack_both_children",
-    "backtrack_stops",        "combiner_merges",       "combiner_flushes_for_read", "stream_single_pair",
-    "stream_stops_on_error",  "writer_evicts",         "writer_completes",          "writer_forwards"};
+    "axis_not_finite",          "axis_inverted",         "axis_beyond_exactness",
+    "axis_scale_below_minimum", "axis_too_wide",         "axis_negative_inexact",
+    "axis_all_bits_dropped",    "axis_full_grid",        "axis_minimum_scale",
+    "axis_edge_infinite",       "axis_edge_subnormal",   "estimate_one_coarser",
+    "estimate_minimum_scale",   "decode_full_span",      "coarsen_rounds_up",
+    "child_scale_changed",      "child_lower_changed",   "stack_overflow",
+    "stack_underflow",          "collector_row_output",  "collector_queue_full",
+    "collector_flush",          "backtrack_recurses",    "backtrack_both_children",
+    "backtrack_stops",          "combiner_merges",       "combiner_flushes_for_read",
+    "stream_single_pair",       "stream_stops_on_error", "writer_evicts",
+    "writer_completes",         "writer_forwards",       "primitive_not_finite",
+    "morton_quarter",           "morton_flat",           "sorter_next_run"};
 
 /// The combinational functions of the design. Each announces itself when it starts, so that an observing bit type can
 /// tell one's operators from another's.
@@ -68,12 +76,16 @@ enum class Datapath : std::uint8_t {
   assemble_pair,
   reencode,
   invalidates,
+  primitive_box,
+  morton_frame,
+  morton_code,
   count
 };
 
 constexpr std::size_t kDatapaths = static_cast<std::size_t>(Datapath::count);
 
 constexpr std::array<std::string_view, kDatapaths> kDatapathNames = {
-    "compress_axis", "estimate_scale", "union_axis", "choose_context", "assemble_pair", "reencode", "invalidates"};
+    "compress_axis", "estimate_scale", "union_axis",    "choose_context", "assemble_pair",
+    "reencode",      "invalidates",    "primitive_box", "morton_frame",   "morton_code"};
 
 }  // namespace cbvh::rtl

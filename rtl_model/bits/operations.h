@@ -122,6 +122,14 @@ constexpr auto count_leading_zeros(UInt<W, H> a) {
   return UInt<bits_for(W), H>::of_result(static_cast<std::uint64_t>(std::countl_zero(a.raw()) - (64 - W)));
 }
 
+/// floor(a / b), and below it a bit that is set when something remains. Of b = 0 all ones. A divider that gives a bit
+/// of quotient a stage.
+template <int A, int B, class H>
+constexpr auto divide_with_sticky(UInt<A, H> a, UInt<B, H> b) {
+  const std::uint64_t quotient = b.raw() == 0 ? low_mask(A) : a.raw() / b.raw();
+  return UInt<A + 1, H>::of_result(quotient << 1 | (a.raw() != quotient * b.raw() ? 1u : 0u));
+}
+
 // Wiring: no gates, no hook.
 
 template <int V, int W, class H>
@@ -153,6 +161,16 @@ constexpr auto concat(UInt<A, H> high, UInt<B, H> low) {
 template <int W, class H>
 constexpr auto as_signed(UInt<W, H> a) {
   return SInt<W + 1, H>(a);
+}
+/// Bit i of a at place 3 i, zeros between.
+template <int W, class H>
+requires(W <= 10) constexpr auto spread_by_three(UInt<W, H> a) {
+  std::uint64_t x = a.raw();
+  x = (x | x << 16) & 0x030000FF;
+  x = (x | x << 8) & 0x0300F00F;
+  x = (x | x << 4) & 0x030C30C3;
+  x = (x | x << 2) & 0x09249249;
+  return UInt<3 * W - 2, H>::of_raw(x);
 }
 
 }  // namespace cbvh::rtl

@@ -34,6 +34,13 @@ struct PrimitiveBox {
   bool operator==(const PrimitiveBox&) const = default;
 };
 
+/// Configuration registers, constant over a scene: the box around all boxes of its primitives.
+struct SceneBox {
+  FloatBox scene;
+  static constexpr auto fields() { return field_list("scene", &SceneBox::scene); }
+  bool operator==(const SceneBox&) const = default;
+};
+
 /// A primitive with its place on the Morton curve: eight words in memory, box lower x y z, upper x y z, code, id.
 struct SortRecord {
   FloatBox box;
@@ -56,6 +63,16 @@ struct SortItem {
     return field_list("record", &SortItem::record, "last_of_run", &SortItem::last_of_run, "last", &SortItem::last);
   }
   bool operator==(const SortItem&) const = default;
+};
+
+/// A pass over the sorted runs: where they are to be written.
+struct RunArea {
+  LineAddress first_line;
+  LineAddress padding;  ///< unused lines between two runs: spreads runs that are read together over the memory's banks
+  static constexpr auto fields() {
+    return field_list("first_line", &RunArea::first_line, "padding", &RunArea::padding);
+  }
+  bool operator==(const RunArea&) const = default;
 };
 
 /// Where a sorted run lies: it begins with a line.
