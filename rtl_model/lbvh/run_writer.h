@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "rtl_model/bits/operations.h"
 #include "rtl_model/datapath/lbvh_payloads.h"
 #include "rtl_model/kernel/channel.h"
 
