@@ -47,6 +47,9 @@ enum class Corner : std::uint8_t {
   morton_quarter,   ///< the extent of the scene overflows
   morton_flat,      ///< the scene has no extent
   sorter_next_run,  ///< a record that comes too late for the run that is being written
+  gatherer_misses,  ///< a primitive's line is not held
+  walker_refuses,   ///< the tree does not fit its primitives
+  top_down_parks,   ///< a context waits for a pair that has not been read yet
   count
 };
 
@@ -64,7 +67,8 @@ constexpr std::array<std::string_view, kCorners> kCornerNames = {
     "backtrack_stops",          "combiner_merges",       "combiner_flushes_for_read",
     "stream_single_pair",       "stream_stops_on_error", "writer_evicts",
     "writer_completes",         "writer_forwards",       "primitive_not_finite",
-    "morton_quarter",           "morton_flat",           "sorter_next_run"};
+    "morton_quarter",           "morton_flat",           "sorter_next_run",
+    "gatherer_misses",          "walker_refuses",        "top_down_parks"};
 
 /// The combinational functions of the design. Each announces itself when it starts, so that an observing bit type can
 /// tell one's operators from another's.
@@ -79,13 +83,14 @@ enum class Datapath : std::uint8_t {
   primitive_box,
   morton_frame,
   morton_code,
+  unite_boxes,
   count
 };
 
 constexpr std::size_t kDatapaths = static_cast<std::size_t>(Datapath::count);
 
 constexpr std::array<std::string_view, kDatapaths> kDatapathNames = {
-    "compress_axis", "estimate_scale", "union_axis",    "choose_context", "assemble_pair",
-    "reencode",      "invalidates",    "primitive_box", "morton_frame",   "morton_code"};
+    "compress_axis", "estimate_scale", "union_axis",   "choose_context", "assemble_pair", "reencode",
+    "invalidates",   "primitive_box",  "morton_frame", "morton_code",    "unite_boxes"};
 
 }  // namespace cbvh::rtl
