@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <utility>
 
 #include "golden/build/morton.h"
@@ -60,28 +61,18 @@ Node emit(const std::vector<Leaf>& leaves, std::size_t first, std::size_t last, 
   return {unite(left.box, right.box), false, static_cast<std::uint32_t>(pairs.size() - 1)};
 }
 
-}  // namespace
-
-FloatTree build_lbvh(const Mesh& mesh) {
-  const std::vector<Box> boxes = triangle_boxes(mesh);
-  FloatTree tree;
-  tree.primitives = static_cast<std::uint32_t>(boxes.size());
-  tree.scene = boxes.front();
-  for (const Box& box : boxes) tree.scene = unite(tree.scene, box);
-  tree.largest_magnitude = largest_magnitude(tree.scene);
-
-  std::vector<CodedPrimitive> sorted(boxes.size());
-  for (std::uint32_t id = 0; id < tree.primitives; ++id) sorted[id] = {morton_code(boxes[id], tree.scene), id};
-  sorted = sorted_by_code(std::move(sorted));
-
+/// Leaves, primitive IDs and pairs of primitives in order of their codes; box_of(i) is the box of the i-th.
+template <class BoxOf>
+void emit_hierarchy(std::span<const CodedPrimitive> sorted, const BoxOf& box_of, FloatTree& tree) {
   std::vector<Leaf> leaves;
-  tree.primitive_ids.reserve(boxes.size());
-  for (const CodedPrimitive& p : sorted) {
+  tree.primitive_ids.reserve(sorted.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const CodedPrimitive& p = sorted[i];
     if (leaves.empty() || leaves.back().code != p.code) {
       if (!leaves.empty()) tree.primitive_ids.back() |= kLastOfLeaf;
-      leaves.push_back({p.code, static_cast<std::uint32_t>(tree.primitive_ids.size()), boxes[p.id]});
+      leaves.push_back({p.code, static_cast<std::uint32_t>(tree.primitive_ids.size()), box_of(i)});
     } else {
-      leaves.back().box = unite(leaves.back().box, boxes[p.id]);
+      leaves.back().box = unite(leaves.back().box, box_of(i));
     }
     tree.primitive_ids.push_back(p.id);
   }
@@ -90,6 +81,40 @@ FloatTree build_lbvh(const Mesh& mesh) {
 
   tree.pairs.reserve(leaves.size() - 1);
   emit(leaves, 0, leaves.size(), tree.pairs);
+}
+
+/// What a tree says of its scene as a whole.
+template <class BoxOf>
+void measure(std::size_t primitives, const BoxOf& box_of, FloatTree& tree) {
+  tree.primitives = static_cast<std::uint32_t>(primitives);
+  tree.scene = box_of(0);
+  for (std::size_t i = 1; i < primitives; ++i) tree.scene = unite(tree.scene, box_of(i));
+  tree.largest_magnitude = largest_magnitude(tree.scene);
+}
+
+}  // namespace
+
+FloatTree build_lbvh(const Mesh& mesh) {
+  const std::vector<Box> boxes = triangle_boxes(mesh);
+  FloatTree tree;
+  measure(
+      boxes.size(), [&](std::size_t id) { return boxes[id]; }, tree);
+  std::vector<CodedPrimitive> sorted(boxes.size());
+  for (std::uint32_t id = 0; id < tree.primitives; ++id) sorted[id] = {morton_code(boxes[id], tree.scene), id};
+  sorted = sorted_by_code(std::move(sorted));
+  emit_hierarchy(
+      sorted, [&](std::size_t i) { return boxes[sorted[i].id]; }, tree);
+  return tree;
+}
+
+FloatTree build_hierarchy(std::span<const CodedBox> sorted) {
+  FloatTree tree;
+  const auto box_of = [sorted](std::size_t i) { return sorted[i].box; };
+  measure(sorted.size(), box_of, tree);
+  std::vector<CodedPrimitive> primitives;
+  primitives.reserve(sorted.size());
+  for (const CodedBox& item : sorted) primitives.push_back({item.code, item.id});
+  emit_hierarchy(primitives, box_of, tree);
   return tree;
 }
 

@@ -44,31 +44,72 @@ enum class Corner : std::uint8_t {
   writer_completes,  ///< the last pair of a held line arrives
   writer_forwards,   ///< a read is answered from a held line
   primitive_not_finite,
-  morton_quarter,   ///< the extent of the scene overflows
-  morton_flat,      ///< the scene has no extent
-  sorter_next_run,  ///< a record that comes too late for the run that is being written
-  gatherer_misses,  ///< a primitive's line is not held
-  walker_refuses,   ///< the tree does not fit its primitives
-  top_down_parks,   ///< a context waits for a pair that has not been read yet
+  morton_quarter,          ///< the extent of the scene overflows
+  morton_flat,             ///< the scene has no extent
+  sorter_next_run,         ///< a record that comes too late for the run that is being written
+  gatherer_misses,         ///< a primitive's line is not held
+  walker_refuses,          ///< the tree does not fit its primitives
+  top_down_parks,          ///< a context waits for a pair that has not been read yet
+  emitter_joins_leaf,      ///< a record with the code of the one before
+  emitter_closes_several,  ///< more than one pair ends before the next record
+  emitter_single_leaf,
+  merger_tie,        ///< equal codes of two runs: the lower run first
+  merger_waits,      ///< a buffer ran dry
+  merger_half_line,  ///< a run ends in the middle of a line
+  merger_rewrites,   ///< more runs than can be merged at once
   count
 };
 
 constexpr std::size_t kCorners = static_cast<std::size_t>(Corner::count);
 
 constexpr std::array<std::string_view, kCorners> kCornerNames = {
-    "axis_not_finite",          "axis_inverted",         "axis_beyond_exactness",
-    "axis_scale_below_minimum", "axis_too_wide",         "axis_negative_inexact",
-    "axis_all_bits_dropped",    "axis_full_grid",        "axis_minimum_scale",
-    "axis_edge_infinite",       "axis_edge_subnormal",   "estimate_one_coarser",
-    "estimate_minimum_scale",   "decode_full_span",      "coarsen_rounds_up",
-    "child_scale_changed",      "child_lower_changed",   "stack_overflow",
-    "stack_underflow",          "collector_row_output",  "collector_queue_full",
-    "collector_flush",          "backtrack_recurses",    "backtrack_both_children",
-    "backtrack_stops",          "combiner_merges",       "combiner_flushes_for_read",
-    "stream_single_pair",       "stream_stops_on_error", "writer_evicts",
-    "writer_completes",         "writer_forwards",       "primitive_not_finite",
-    "morton_quarter",           "morton_flat",           "sorter_next_run",
-    "gatherer_misses",          "walker_refuses",        "top_down_parks"};
+    "axis_not_finite",
+    "axis_inverted",
+    "axis_beyond_exactness",
+    "axis_scale_below_minimum",
+    "axis_too_wide",
+    "axis_negative_inexact",
+    "axis_all_bits_dropped",
+    "axis_full_grid",
+    "axis_minimum_scale",
+    "axis_edge_infinite",
+    "axis_edge_subnormal",
+    "estimate_one_coarser",
+    "estimate_minimum_scale",
+    "decode_full_span",
+    "coarsen_rounds_up",
+    "child_scale_changed",
+    "child_lower_changed",
+    "stack_overflow",
+    "stack_underflow",
+    "collector_row_output",
+    "collector_queue_full",
+    "collector_flush",
+    "backtrack_recurses",
+    "backtrack_both_children",
+    "backtrack_stops",
+    "combiner_merges",
+    "combiner_flushes_for_read",
+    "stream_single_pair",
+    "stream_stops_on_error",
+    "writer_evicts",
+    "writer_completes",
+    "writer_forwards",
+    "primitive_not_finite",
+    "morton_quarter",
+    "morton_flat",
+    "sorter_next_run",
+    "gatherer_misses",
+    "walker_refuses",
+    "top_down_parks",
+    "emitter_joins_leaf",
+    "emitter_closes_several",
+    "emitter_single_leaf",
+    "merger_tie",
+    "merger_waits",
+    "merger_half_line",
+    "merger_rewrites",
+};
 
 /// The combinational functions of the design. Each announces itself when it starts, so that an observing bit type can
 /// tell one's operators from another's.
@@ -84,13 +125,15 @@ enum class Datapath : std::uint8_t {
   morton_frame,
   morton_code,
   unite_boxes,
+  common_prefix,
+  merge_compare,
   count
 };
 
 constexpr std::size_t kDatapaths = static_cast<std::size_t>(Datapath::count);
 
 constexpr std::array<std::string_view, kDatapaths> kDatapathNames = {
-    "compress_axis", "estimate_scale", "union_axis",   "choose_context", "assemble_pair", "reencode",
-    "invalidates",   "primitive_box",  "morton_frame", "morton_code",    "unite_boxes"};
+    "compress_axis", "estimate_scale", "union_axis",  "choose_context", "assemble_pair", "reencode",     "invalidates",
+    "primitive_box", "morton_frame",   "morton_code", "unite_boxes",    "common_prefix", "merge_compare"};
 
 }  // namespace cbvh::rtl

@@ -8,6 +8,7 @@
 namespace cbvh::rtl {
 
 constexpr int kMortonBits = 30;
+using PrefixLength = UInt<bits_for(kMortonBits)>;  ///< leading bits that two codes share
 
 /// Ten 32-bit words in memory: three vertices of x y z, then the primitive's number. Paper section 5.
 struct Primitive {
@@ -104,6 +105,20 @@ struct WriteReport {
   UInt<32> lines;                ///< 64-byte writes made
   static constexpr auto fields() { return field_list("items", &WriteReport::items, "lines", &WriteReport::lines); }
   bool operator==(const WriteReport&) const = default;
+};
+
+/// A hierarchy has been emitted.
+struct EmitReport {
+  UInt<kPointerBits + 1> pairs;
+  UInt<kPointerBits + 1> leaves;
+  UInt<kPointerBits + 1> primitives;
+  FloatBox root;
+  UInt<5> depth;  ///< the most subtrees that waited for their right sibling at a time, 0..30
+  static constexpr auto fields() {
+    return field_list("pairs", &EmitReport::pairs, "leaves", &EmitReport::leaves, "primitives", &EmitReport::primitives,
+                      "root", &EmitReport::root, "depth", &EmitReport::depth);
+  }
+  bool operator==(const EmitReport&) const = default;
 };
 
 }  // namespace cbvh::rtl
