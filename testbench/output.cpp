@@ -16,6 +16,15 @@
 
 namespace cbvh::testbench {
 
+namespace {
+
+void write(const std::string& path, const std::string& text) {
+  if (path != "-") return golden::write_file_atomically(path, text);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+}  // namespace
+
 void Output::add_option(CLI::App& command) {
   command
       .add_option("--json", json_path_,
@@ -23,17 +32,29 @@ void Output::add_option(CLI::App& command) {
       ->type_name("FILE");
 }
 
+void Output::add_csv_option(CLI::App& command) {
+  command
+      .add_option("--csv", csv_path_,
+                  "also write every figure as CSV to this file; - is stdout, and the text goes to stderr")
+      ->type_name("FILE")
+      ->check([this](const std::string& path) {
+        return path == "-" && json_path_ == "-" ? std::string("found - for --json too, want one of them on stdout")
+                                                : std::string();
+      });
+}
+
 void Output::text(const std::string& text) const {
-  std::FILE* const stream = json_path_ == "-" ? stderr : stdout;
+  std::FILE* const stream = json_path_ == "-" || csv_path_ == "-" ? stderr : stdout;
   std::fwrite(text.data(), 1, text.size(), stream);
   std::fflush(stream);
 }
 
 void Output::json(const Json& json) const {
-  if (json_path_.empty()) return;
-  const std::string text = json.dump(2) + '\n';
-  if (json_path_ != "-") return golden::write_file_atomically(json_path_, text);
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (!json_path_.empty()) write(json_path_, json.dump(2) + '\n');
+}
+
+void Output::csv(const std::string& text) const {
+  if (!csv_path_.empty()) write(csv_path_, text);
 }
 
 std::string read_text_file(const std::string& path) {

@@ -11,20 +11,24 @@ class App;
 
 namespace cbvh::testbench {
 
-/// Where a command's result goes: text for people on stdout, JSON for programs in a file. With `--json -` the JSON
-/// takes stdout and the text goes to stderr.
+/// Where a command's result goes: text for people on stdout, JSON and CSV for programs in files. With `--json -` or
+/// `--csv -` that takes stdout and the text goes to stderr.
 class Output {
  public:
   /// Adds --json.
   void add_option(CLI::App& command);
+  /// Adds --csv, which not every command has.
+  void add_csv_option(CLI::App& command);
 
   void text(const std::string& text) const;
   /// Writes the JSON, if it was asked for. `write` names no file: nothing happens.
   void json(const Json& json) const;
+  void csv(const std::string& text) const;  ///< the same for CSV
   bool wants_json() const { return !json_path_.empty(); }
 
  private:
   std::string json_path_;
+  std::string csv_path_;
 };
 
 /// Reads a whole file. Throws InputError.

@@ -1,6 +1,4 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -8,6 +6,7 @@
 #include "golden/tree/tree_file.h"
 #include "testbench/build_report.h"
 #include "testbench/command_line.h"
+#include "testbench/option_values.h"
 #include "testbench/output.h"
 
 namespace cbvh::testbench {
@@ -28,32 +27,6 @@ struct Options {
   Output output;
 };
 
-/// The index of a word among the known ones.
-std::size_t choice(const std::string& option, const std::string& found, const std::vector<std::string>& known) {
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (known[i] == found) return i;
-  }
-  throw golden::InputError(option, fmt::format("unknown '{}', known: {}", found, fmt::join(known, ", ")));
-}
-
-int parse_min_scale(const std::string& text) {
-  std::size_t used = 0;
-  int value = 0;
-  try {
-    value = std::stoi(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used != text.size() || text.empty())
-    throw golden::InputError("--min-scale", fmt::format("found '{}', want auto or an integer", text));
-  return value;
-}
-
-void check_range(const std::string& option, int found, int low, int high) {
-  if (found < low || found > high)
-    throw golden::InputError(option, fmt::format("found {}, want {}..{}", found, low, high));
-}
-
 int run(const Options& options) {
   BuildJob job;
   choice("--builder", options.builder, {"lbvh"});
@@ -69,10 +42,7 @@ int run(const Options& options) {
   check_range("--bits", options.bits, 2, 8);
   job.stream.treelet = options.treelet;
   job.stream.rules.bits = options.bits;
-  if (options.min_scale != "auto") {
-    job.min_scale = parse_min_scale(options.min_scale);
-    check_range("--min-scale", *job.min_scale, -149, 127);
-  }
+  job.min_scale = parse_min_scale("--min-scale", options.min_scale);
   const BuildResult result = build_and_compare(golden::load_scene(options.scene), job);
   if (!options.file.empty()) golden::write_tree(options.file, result.streamed);
   Json json = {{"scene", options.scene},
