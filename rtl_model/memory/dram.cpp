@@ -58,13 +58,15 @@ void Dram::take_requests() {
       refuse(index);
       continue;
     }
-    lanes_[map_.place(request.line.value()).channel].wanting[write] |= 1u << index;
+    Lane& lane = lanes_[map_.channel(request.line.value())];
+    if ((write ? lane.channel.writes() : lane.channel.reads()).full()) continue;
+    lane.wanting[write] |= 1u << index;
     any = true;
   }
   if (!any) return;
   for (Lane& lane : lanes_) {
-    take_one(lane, false);
-    take_one(lane, true);
+    if (lane.wanting[0] != 0) take_one(lane, false);
+    if (lane.wanting[1] != 0) take_one(lane, true);
   }
 }
 
@@ -99,7 +101,6 @@ bool Dram::take_write(Port& port, const DramPlace& place, Lane& lane) {
   }
   const DramQueue& writes = lane.channel.writes();
   const int waiting = writes.find(place.bank, line);
-  if (waiting == DramQueue::kNone && writes.full()) return false;
   if (lane.awaited == line) lane.awaited.reset();
   if (waiting != DramQueue::kNone) {
     lane.channel.merge(waiting, request.mask);
@@ -123,7 +124,6 @@ bool Dram::take_read(Port& port, unsigned index, const DramPlace& place, Lane& l
   const DramQueue& writes = lane.channel.writes();
   const int waiting = writes.find(place.bank, line);
   const bool forwarded = waiting != DramQueue::kNone && writes[waiting].mask.value() == kAllWords;
-  if (!forwarded && lane.channel.reads().full()) return false;
   Answer& answer = new_answer(port, true);
   answer.data = store.read(request.line);
   if (forwarded) {

@@ -29,14 +29,17 @@ class DramAddressMap {
         bank_bits_(bits(config.banks)),
         bank_hash_(config.bank_hash) {}
 
+  unsigned channel(std::uint64_t line) const {
+    return static_cast<unsigned>(low(line >> interleave_bits_, channel_bits_));
+  }
   DramPlace place(std::uint64_t line) const {
     const std::uint64_t block = line >> interleave_bits_;
     const std::uint64_t in_channel = block >> channel_bits_ << interleave_bits_ | low(line, interleave_bits_);
     const std::uint64_t in_bank = in_channel >> column_bits_;
     const std::uint64_t row = in_bank >> bank_bits_;
     const std::uint64_t hash = bank_hash_ ? row ^ row >> bank_bits_ ^ row >> 2 * bank_bits_ : 0;
-    return {static_cast<unsigned>(low(block, channel_bits_)), static_cast<unsigned>(low(in_bank ^ hash, bank_bits_)),
-            static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(low(in_channel, column_bits_))};
+    return {channel(line), static_cast<unsigned>(low(in_bank ^ hash, bank_bits_)), static_cast<std::uint32_t>(row),
+            static_cast<std::uint32_t>(low(in_channel, column_bits_))};
   }
 
  private:

@@ -25,7 +25,7 @@ struct DramConfig {
   unsigned row_bytes = 4096;                              ///< of a bank; power of two
   std::uint64_t capacity_bytes = std::uint64_t{1} << 30;  ///< of all channels; power of two
 
-  unsigned interleave_bytes = 256;  ///< consecutive bytes in one channel; power of two from a line to a row
+  unsigned interleave_bytes = 128;  ///< consecutive bytes in one channel; power of two from a line to a row
   bool bank_hash =
       true;  ///< the bank's number is XORed with the row's, so that streams a power of two apart do not meet
 
@@ -33,7 +33,7 @@ struct DramConfig {
   unsigned write_queue_depth = 64;  ///< likewise
   unsigned write_high = 48;         ///< a channel turns to writing when so many lines wait ...
   unsigned write_low = 8;           ///< ... and back to reading, if reads wait, when no more than these are left
-  unsigned batch_lines = 48;        ///< a direction is kept for so many lines while the other's are waiting
+  unsigned batch_lines = 96;        ///< a direction is kept for so many lines while the other's are waiting
   unsigned idle_clocks = 32;        ///< without a read after which a channel writes below the high mark as well
   unsigned patience_clocks = 400;   ///< a line that waited so long is no more overtaken by others in its bank
   DramRefresh refresh = DramRefresh::all_banks;

@@ -93,7 +93,7 @@ TEST(DramFairness, reads_get_through_a_flood_of_writes_and_writes_through_a_floo
     }
     bench.clients[3].window = 1;
     ASSERT_TRUE(bench.run());
-    EXPECT_LT(bench.clients[3].answer_cycles.back(), 200u * 1200);
+    EXPECT_LT(bench.clients[3].answer_cycles.back(), 200u * 1600) << "a batch of the others takes 960";
     EXPECT_LT(bench.clients[3].answer_cycles.back(), bench.clients[0].answer_cycles.empty()
                                                          ? bench.dram.cycles() * 9 / 10
                                                          : bench.clients[0].answer_cycles.back() * 9 / 10);

@@ -71,14 +71,16 @@ class DramBench {
       if (requests_[i].can_pop()) heads[i] = requests_[i].front();
     }
     disturbance_.shuffled_order ? clock_.step_shuffled(order_) : clock_.step();
-    // Reads are taken before writes. Two ports' reads, or writes, of one line are never taken in the same cycle.
+    // Reads are taken before writes, and of either only one of the same line in a cycle.
     for (const bool write : {false, true}) {
       for (std::size_t i = 0; i < kDramPorts; ++i) {
         if (!heads[i] || bool(heads[i]->write) != write) continue;
         const bool taken = requests_[i].pops() != pops[i];
         waits_[i] = taken ? 0 : waits_[i] + 1;
         clients[i].longest_wait = std::max(clients[i].longest_wait, waits_[i]);
-        if (taken) account(i, *heads[i]);
+        if (!taken) continue;
+        account(i, *heads[i]);
+        if (on_taken) on_taken(*heads[i]);
       }
     }
   }
@@ -106,6 +108,7 @@ class DramBench {
   std::array<DramClient, kDramPorts> clients;
   std::array<std::vector<rtl::LineData>, kDramPorts> expected;  ///< by the order in which requests were taken
   std::map<std::uint64_t, rtl::LineWords> content;
+  std::function<void(const rtl::LineRequest&)> on_taken;  ///< after what happened on the pins in the same cycle
 
  private:
   std::vector<rtl::LinePort> links() {
