@@ -45,6 +45,16 @@ constexpr LineWords float_pair_words(const FloatPair& pair) {
   return words;
 }
 
+constexpr FloatPair float_pair_at(const LineWords& words) {
+  FloatPair pair;
+  for (std::size_t child = 0; child < 2; ++child) {
+    pair.box[child] = box_at(words, child * 8);
+    pair.leaf[child] = bits<31, 31>(words[child * 8 + 6]);
+    pair.pointer[child] = bits<kPointerBits - 1, 0>(words[child * 8 + 6]);
+  }
+  return pair;
+}
+
 /// An entry of the primitive-ID array.
 constexpr UInt<32> id_word(const IdEntry& entry) { return concat(entry.last_of_leaf, UInt<31>(entry.id)); }
 

@@ -40,6 +40,18 @@ inline void poke_pairs(rtl::LineStore& store, std::uint64_t line, const std::vec
     }
   }
 }
+/// A line each: per child lower x y z, upper x y z, pointer with the leaf bit as bit 31, zero.
+inline void poke_float_pairs(rtl::LineStore& store, std::uint64_t line, const std::vector<golden::FloatPair>& pairs) {
+  std::uint64_t word = line * rtl::kWordsPerLine;
+  for (const auto& pair : pairs) {
+    for (int child = 0; child < 2; ++child) {
+      for (int axis = 0; axis < 3; ++axis) poke_float(store, word++, pair.child[child].lower[axis]);
+      for (int axis = 0; axis < 3; ++axis) poke_float(store, word++, pair.child[child].upper[axis]);
+      store.poke(word++, pair.pointer[child] | (pair.leaf[child] ? 1u << 31 : 0u));
+      store.poke(word++, 0);
+    }
+  }
+}
 inline std::vector<golden::CompressedPair> peek_pairs(const rtl::LineStore& store, std::uint64_t line,
                                                       std::size_t count) {
   std::vector<golden::CompressedPair> pairs;
