@@ -43,6 +43,10 @@ class Collection {
     set_.add_golden_responses();
   }
   template <class Stimulus>
+  bool takes() const {
+    return &set_.stimulus_codec() == &payload_codec<Stimulus>();
+  }
+  template <class Stimulus>
   void offer(const Stimulus& stimulus) {
     if (wants_next()) add(std::span<const Stimulus>(&stimulus, 1));
   }
@@ -158,7 +162,7 @@ void capture(std::string_view unit, const golden::FloatTree& tree, const Stream&
     watch([&](const rtl::PairJob& job, const PairAnswer&) { collection.offer(job); });
   } else if (unit == "backtrack_unit") {
     capture_backtracking(tree, stream, options, bits, collection);
-  } else {
+  } else if (unit == "context_stack" || collection.takes<rtl::StreamJob>()) {
     for_each_subtree(tree, stream, options.episode_pairs, [&](auto&& part) {
       if (!collection.wants_next()) return;
       const Stream jobs = part();

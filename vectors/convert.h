@@ -23,6 +23,15 @@ inline rtl::FloatBox float_box(const golden::Box& box) {
   return result;
 }
 
+inline golden::Box plain_box(const rtl::FloatBox& box) {
+  golden::Box result{};
+  for (int axis = 0; axis < 3; ++axis) {
+    result.lower[axis] = box.lower[static_cast<std::size_t>(axis)].value();
+    result.upper[axis] = box.upper[static_cast<std::size_t>(axis)].value();
+  }
+  return result;
+}
+
 inline rtl::FloatPair float_pair(const golden::FloatPair& pair) {
   rtl::FloatPair result;
   for (std::size_t child = 0; child < 2; ++child) {

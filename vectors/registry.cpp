@@ -27,7 +27,9 @@ std::span<const UnitDescription> units() {
       describe_node_pair_compressor(), describe_node_pair_compressor_serial(),
       describe_context_stack(),        describe_backtrack_unit(),
       describe_treelet_collector(),    describe_lazy_treelet_collector(),
-      describe_stream_compressor()};
+      describe_stream_compressor(),    describe_primitive_reader(),
+      describe_box_builder(),          describe_morton_encoder(),
+      describe_run_sorter(),           describe_run_writer()};
   return all;
 }
 

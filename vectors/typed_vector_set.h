@@ -153,10 +153,10 @@ class TypedVectorSet final : public VectorSet {
   std::vector<Expected<Response>> responses_;
 };
 
-/// The description of a family of units, one for each N.
-template <template <int> class UnitOf>
-UnitDescription describe_unit_of_bits() {
-  using Any = UnitOf<6>;
+namespace detail {
+/// What the description of a unit says without its types. `Any` is the unit, for some N.
+template <class Any>
+UnitDescription describe_texts() {
   UnitDescription unit;
   unit.name = Any::kName;
   unit.summary = Any::kSummary;
@@ -164,8 +164,16 @@ UnitDescription describe_unit_of_bits() {
   unit.stateful = Any::kStateful;
   unit.classes.assign(Any::kClasses.begin(), Any::kClasses.end());
   unit.classes.push_back(kCaptured);
-  unit.bits = {2, 3, 4, 5, 6, 7, 8};
   unit.treelets = Any::kTreelet ? std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8} : std::vector<int>{1};
+  return unit;
+}
+}  // namespace detail
+
+/// The description of a family of units, one for each N.
+template <template <int> class UnitOf>
+UnitDescription describe_unit_of_bits() {
+  UnitDescription unit = detail::describe_texts<UnitOf<6>>();
+  unit.bits = {2, 3, 4, 5, 6, 7, 8};
   unit.stimulus = [](int bits) -> const PayloadCodec& {
     return with_bits(bits, [](auto n) -> const PayloadCodec& {
       return payload_codec<typename UnitOf<decltype(n)::value>::Stimulus>();
@@ -180,6 +188,19 @@ UnitDescription describe_unit_of_bits() {
     return with_bits(parameters.bits, [&](auto n) -> std::unique_ptr<VectorSet> {
       return std::make_unique<TypedVectorSet<UnitOf<decltype(n)::value>>>(self, parameters, seed);
     });
+  };
+  return unit;
+}
+
+/// The description of a unit in which nothing depends on N.
+template <class U>
+UnitDescription describe_unit() {
+  UnitDescription unit = detail::describe_texts<U>();
+  unit.bits = {6};
+  unit.stimulus = [](int) -> const PayloadCodec& { return payload_codec<typename U::Stimulus>(); };
+  unit.response = [](int) -> const PayloadCodec& { return payload_codec<typename U::Response>(); };
+  unit.empty_set = [](const UnitDescription& self, const Parameters& parameters, std::uint64_t seed) {
+    return std::unique_ptr<VectorSet>(std::make_unique<TypedVectorSet<U>>(self, parameters, seed));
   };
   return unit;
 }

@@ -56,14 +56,16 @@ class RunWriter {
 
   void begin_run(LineAddress first_line) {
     run_ = {first_line, {}, {}};
-    line_ = {UInt<1>(1), {}, first_line, {}, {}};
+    begin_line(first_line);
   }
+  void begin_line(LineAddress line) { line_ = {UInt<1>(1), {}, line, {}, {}}; }
 
   void write(const SortItem& item) {
     const std::uint64_t record_of_line = run_.records.value() % kRecordsPerLine;
-    const bool ends_line = bool(item.last_of_run) || record_of_line + 1 == kRecordsPerLine;
-    const bool ends_run = bool(item.last_of_run) && !item.last;
-    if ((ends_line && !requests_.can_push()) || (ends_run && !runs_.can_push())) return;
+    const bool ends_run = bool(item.last_of_run) || bool(item.last);
+    const bool ends_line = ends_run || record_of_line + 1 == kRecordsPerLine;
+    const bool tells_run = ends_run && !item.last;
+    if ((ends_line && !requests_.can_push()) || (tells_run && !runs_.can_push())) return;
     const auto words = words_of(item.record);
     const std::uint64_t first_word = record_of_line * kWordsPerRecord;
     for (std::size_t i = 0; i < kWordsPerRecord; ++i) line_.words[first_word + i] = words[i];
@@ -72,10 +74,9 @@ class RunWriter {
     if (ends_line) {
       line_.acknowledge = item.last;
       requests_.push(line_);
-      line_.line = truncate<kLineAddressBits>(line_.line + UInt<1>(1));
-      line_.mask = {};
+      begin_line(truncate<kLineAddressBits>(line_.line + UInt<1>(1)));
     }
-    if (ends_run) {
+    if (tells_run) {
       runs_.push(run_);
       begin_run(truncate<kLineAddressBits>(line_.line + area_.padding));
     }

@@ -15,5 +15,10 @@ UnitDescription describe_backtrack_unit();
 UnitDescription describe_treelet_collector();
 UnitDescription describe_lazy_treelet_collector();
 UnitDescription describe_stream_compressor();
+UnitDescription describe_primitive_reader();
+UnitDescription describe_box_builder();
+UnitDescription describe_morton_encoder();
+UnitDescription describe_run_sorter();
+UnitDescription describe_run_writer();
 
 }  // namespace cbvh::vectors

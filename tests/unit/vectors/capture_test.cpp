@@ -13,11 +13,24 @@ namespace {
 
 const std::string kScene = "proc:terrain,triangles=600";
 
-TEST(Capture, every_unit_meets_something_and_the_golden_agrees_after_a_round_trip) {
+/// What a unit meets; nothing for a unit that is not part of compressing a tree.
+std::unique_ptr<VectorSet> captured(const UnitDescription& unit, const CaptureOptions& options) {
+  try {
+    return capture_set(unit.name, {6, unit.treelets.size() > 1 ? 2 : 1}, kScene, options);
+  } catch (const golden::InputError& error) {
+    EXPECT_EQ(error.what(), fmt::format("unit: {} meets nothing in this scene", unit.name));
+    return nullptr;
+  }
+}
+
+TEST(Capture, every_unit_of_compression_meets_something_and_the_golden_agrees_after_a_round_trip) {
+  std::size_t met = 0;
   for (const UnitDescription& unit : units()) {
     CaptureOptions options;
     options.cases = 40;
-    const auto set = capture_set(unit.name, {6, unit.treelets.size() > 1 ? 2 : 1}, kScene, options);
+    const auto set = captured(unit, options);
+    if (set == nullptr) continue;
+    ++met;
     EXPECT_GT(set->size(), 1U) << unit.name;
     EXPECT_LE(set->size(), 40U) << unit.name;
     const auto read = parse_set(serialize(*set, Format::text), "file");
@@ -25,6 +38,7 @@ TEST(Capture, every_unit_meets_something_and_the_golden_agrees_after_a_round_tri
     EXPECT_EQ(read->verify().mismatches, 0U) << unit.name;
     for (std::size_t i = 0; i < set->size(); ++i) EXPECT_EQ(set->class_name(i), kCaptured);
   }
+  EXPECT_EQ(met, 9U);
 }
 
 TEST(Capture, without_a_limit_it_takes_everything) {
