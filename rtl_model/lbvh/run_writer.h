@@ -1,23 +1,10 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "rtl_model/bits/operations.h"
-#include "rtl_model/datapath/lbvh_payloads.h"
+#include "rtl_model/datapath/record_words.h"
 #include "rtl_model/kernel/channel.h"
 
 namespace cbvh::rtl {
-
-/// The words of a record in memory, lowest address first.
-inline std::array<UInt<32>, kWordsPerRecord> words_of(const SortRecord& record) {
-  std::array<UInt<32>, kWordsPerRecord> words;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    words[axis] = UInt<32>(record.box.lower[axis].bits);
-    words[3 + axis] = UInt<32>(record.box.upper[axis].bits);
-  }
-  words[6] = record.code;
-  words[7] = record.id;
-  return words;
-}
 
 /// Writes sorted runs to memory, two records a line, a record a clock. An area says where the runs of a pass go: one
 /// after the other from its first line on, each beginning with a line of its own. Then, with the last record of the
@@ -66,10 +53,8 @@ class RunWriter {
     const bool ends_line = ends_run || record_of_line + 1 == kRecordsPerLine;
     const bool tells_run = ends_run && !item.last;
     if ((ends_line && !requests_.can_push()) || (tells_run && !runs_.can_push())) return;
-    const auto words = words_of(item.record);
-    const std::uint64_t first_word = record_of_line * kWordsPerRecord;
-    for (std::size_t i = 0; i < kWordsPerRecord; ++i) line_.words[first_word + i] = words[i];
-    line_.mask = line_.mask | UInt<kWordsPerLine>(kRecordMask << first_word);
+    put_record(item.record, line_.words, record_of_line);
+    line_.mask = line_.mask | UInt<kWordsPerLine>(kRecordMask << (record_of_line * kWordsPerRecord));
     run_.records = truncate<kPointerBits + 1>(run_.records + UInt<1>(1));
     if (ends_line) {
       line_.acknowledge = item.last;
