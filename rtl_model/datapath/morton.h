@@ -54,7 +54,7 @@ using MortonFrame = std::array<MortonAxis<Bits>, 3>;
 
 template <class Bits>
 constexpr MortonFrame<Bits> morton_frame(const SceneBox& registers) {
-  const typename Bits::Scope scope(Datapath::morton_frame);
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::morton_frame);
   MortonFrame<Bits> frame;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     frame[axis] = morton_axis<Bits>(lift<Bits>(registers.scene.lower[axis]), lift<Bits>(registers.scene.upper[axis]));
@@ -65,7 +65,7 @@ constexpr MortonFrame<Bits> morton_frame(const SceneBox& registers) {
 /// The code of a box; x is the most significant of each triple of bits.
 template <class Bits>
 constexpr UInt<kMortonBits> morton_code(const FloatBox& box, const MortonFrame<Bits>& frame) {
-  const typename Bits::Scope scope(Datapath::morton_code);
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::morton_code);
   const auto coordinate = [&](std::size_t axis) {
     return spread_by_three(
         morton_coordinate<Bits>(lift<Bits>(box.lower[axis]), lift<Bits>(box.upper[axis]), frame[axis]));

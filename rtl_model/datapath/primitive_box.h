@@ -11,7 +11,7 @@ namespace cbvh::rtl {
 template <class Bits>
 constexpr PrimitiveBox primitive_box(const Primitive& primitive) {
   using F = typename Bits::F;
-  const typename Bits::Scope scope(Datapath::primitive_box);
+  [[maybe_unused]] const typename Bits::Scope scope(Datapath::primitive_box);
   const auto special = [](F x) { return ~any(~bits<30, 23>(x)); };
   const auto vertex = [&](std::size_t i, std::size_t axis) { return lift<Bits>(primitive.vertex[i][axis]); };
   // Numbers alone: the sign of zero goes.
