@@ -87,7 +87,9 @@ TEST(EvalTables, table_1_averages_ratios_and_leaves_out_what_cannot_be_normalize
   row = row_of(table, {"refit_traffic", "relative", 3});
   EXPECT_DOUBLE_EQ(number(row, "min"), 6256.0 / 12400);
   EXPECT_EQ(number(row, "paper_min"), 0.39);
-  EXPECT_EQ(table.notes.size(), 2U);
+  ASSERT_EQ(table.notes.size(), 3U);
+  EXPECT_NE(table.notes[1].find("LBVH 0.61 on average, 0.88 at most; refit 0.46, 0.76"), std::string::npos)
+      << table.notes[1];
   EXPECT_EQ(table1_tables({one_leaf()}).at(0).rows.size(), 2U * 8);
 }
 
@@ -215,27 +217,6 @@ TEST(Tables, text_json_and_csv_escape_what_would_break_them) {
   EXPECT_EQ(to_markdown(table),
             "## T\n\n| name    | x\\|y | bar |\n| :------ | ---: | :-- |\n| a,\"b\\|c | 0.12 | ==  |\n"
             "| d       |    - |     |\n\n- n\n\n");
-}
-
-TEST(Eval, cloth_gives_the_tabulated_minimum_scale_sweep) {
-  EvalJob job;
-  job.scenes = {"proc:cloth"};
-  job.sweep = {-126, -60, -30, -20, -15, -10, -5, std::nullopt};
-  job.threads = 2;
-  const SceneMeasure scene = measure_scenes(job).at(0);
-  EXPECT_TRUE(scene.failures.empty());
-  EXPECT_EQ(scene.checks, 16U);
-  const std::uint64_t one_level[] = {22712, 1236, 244, 228, 212, 48, 0, 228};
-  const std::uint64_t four_levels[] = {22468, 992, 0, 0, 0, 0, 0, 0};
-  const double sah[] = {1, 1, 1, 1, 1.0005, 1.033, 4.67, 1};
-  const double half_digit[] = {5e-5, 5e-5, 5e-5, 5e-5, 5e-5, 5e-4, 5e-3, 5e-5};
-  ASSERT_EQ(scene.sweep.size(), 8U);
-  const Table table = figure10_tables({scene}).at(1);
-  for (std::size_t i = 0; i < scene.sweep.size(); ++i) {
-    EXPECT_EQ(scene.sweep[i].one_level, one_level[i]) << i;
-    EXPECT_EQ(scene.sweep[i].four_levels, four_levels[i]) << i;
-    EXPECT_NEAR(table.rows[i].back().get<double>(), sah[i], half_digit[i]) << i;
-  }
 }
 
 }  // namespace
