@@ -195,8 +195,7 @@ DramCounts Dram::counts() const {
 
 std::uint64_t Dram::bound_cycles() const {
   const DramCounts sum = counts();
-  return divide_up((sum.reads + sum.writes) * kBurstsPerLine * config_.timing.burst * config_.core_clock_mhz,
-                   std::uint64_t{1} * config_.channels * config_.timing.clock_mhz);
+  return config_.cycles_at_peak((sum.reads + sum.writes) * kBytesPerLine);
 }
 
 }  // namespace cbvh::rtl

@@ -27,7 +27,7 @@ class DramAddressMap {
         channel_bits_(bits(config.channels)),
         column_bits_(bits(config.row_bytes / kBytesPerLine)),
         bank_bits_(bits(config.banks)),
-        bank_hash_(config.bank_hash) {}
+        bank_hash_(config.bank_hash && config.banks > 1) {}
 
   unsigned channel(std::uint64_t line) const {
     return static_cast<unsigned>(low(line >> interleave_bits_, channel_bits_));
@@ -37,7 +37,10 @@ class DramAddressMap {
     const std::uint64_t in_channel = block >> channel_bits_ << interleave_bits_ | low(line, interleave_bits_);
     const std::uint64_t in_bank = in_channel >> column_bits_;
     const std::uint64_t row = in_bank >> bank_bits_;
-    const std::uint64_t hash = bank_hash_ ? row ^ row >> bank_bits_ ^ row >> 2 * bank_bits_ : 0;
+    std::uint64_t hash = 0;
+    if (bank_hash_) {
+      for (std::uint64_t left = row; left != 0; left >>= bank_bits_) hash ^= left;
+    }
     return {channel(line), static_cast<unsigned>(low(in_bank ^ hash, bank_bits_)), static_cast<std::uint32_t>(row),
             static_cast<std::uint32_t>(low(in_channel, column_bits_))};
   }

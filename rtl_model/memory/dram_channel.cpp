@@ -77,10 +77,9 @@ void DramChannel::choose_direction(std::uint64_t clock) {
   batch_ = 0;
 }
 
-/// The bank's oldest request is not for the open row and has waited long enough.
-bool DramChannel::impatient(const DramQueue& queue, unsigned bank, std::uint64_t clock) {
-  const int oldest = queue.oldest(bank);
-  return oldest != queue.oldest_hit(bank) && due(queue[oldest].arrival + config_.patience_clocks, clock);
+/// The bank's oldest request is for another row than the open one, and next.
+bool DramChannel::exhausted(const DramQueue& queue, unsigned bank) const {
+  return banks_[bank].overtaken >= config_.overtakes && queue.oldest(bank) != queue.oldest_hit(bank);
 }
 
 int DramChannel::pick_column(const DramQueue& queue, std::uint64_t clock) {
@@ -88,7 +87,7 @@ int DramChannel::pick_column(const DramQueue& queue, std::uint64_t clock) {
   const std::uint64_t bus_from = writing_ ? write_from_ : read_from_;
   for (std::uint32_t left = queue.hit_banks() & ~refreshing_; left != 0; left &= left - 1) {
     const unsigned bank = lowest(left);
-    if (impatient(queue, bank, clock) || !due(std::max(bus_from, banks_[bank].column_from), clock)) continue;
+    if (exhausted(queue, bank) || !due(std::max(bus_from, banks_[bank].column_from), clock)) continue;
     const int hit = queue.oldest_hit(bank);
     if (best == DramQueue::kNone || queue[hit].age < queue[best].age) best = hit;
   }
@@ -100,6 +99,7 @@ DramReadIssued DramChannel::issue_column(DramQueue& queue, int slot, std::uint64
   const DramRequest& request = queue[slot];
   const DramReadIssued issued{request.port, request.answer, clock + timing_.line_read()};
   Bank& bank = banks_[request.bank];
+  bank.overtaken += queue.oldest(request.bank) != slot;
   const std::uint64_t second = clock + timing_.column_to_column;
   const std::uint64_t next = second + timing_.column_to_column;
   if (writing_) {
@@ -133,7 +133,7 @@ bool DramChannel::prepare_row(DramQueue& queue, std::uint32_t banks, std::uint64
   for (std::uint32_t left = queue.busy_banks() & banks; left != 0; left &= left - 1) {
     const unsigned number = lowest(left);
     const Bank& bank = banks_[number];
-    if (queue.oldest_hit(number) != DramQueue::kNone && !impatient(queue, number, clock)) continue;
+    if (queue.oldest_hit(number) != DramQueue::kNone && !exhausted(queue, number)) continue;
     if (!due(bank.open ? bank.precharge_from : std::max(bank.activate_from, activate_from_), clock)) continue;
     const int oldest = queue.oldest(number);
     if (best == DramQueue::kNone || queue[oldest].age < queue[best].age) best = oldest;
@@ -154,6 +154,7 @@ void DramChannel::activate(unsigned number, std::uint32_t row, std::uint64_t clo
   Bank& bank = banks_[number];
   bank.open = true;
   bank.row = row;
+  bank.overtaken = 0;
   bank.column_from = clock + timing_.activate_to_column;
   bank.precharge_from = clock + timing_.activate_to_precharge;
   bank.activate_from = clock + timing_.activate_to_activate;

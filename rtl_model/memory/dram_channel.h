@@ -22,9 +22,9 @@ struct DramReadIssued {
 };
 
 /// One channel and its controller: a command a clock at most. Requests to open rows go first, the oldest of them first,
-/// then the oldest that needs a row (FR-FCFS), until one has waited `patience_clocks`: then no other in its bank goes
-/// before it. Reads and writes take turns in batches; meanwhile rows are opened for the other direction in banks that
-/// this one leaves alone. Paper 5.3 (the memory that Ramulator simulates there).
+/// then the oldest that needs a row (FR-FCFS); but once `overtakes` lines have overtaken a bank's oldest request, that
+/// one is next in its bank. Reads and writes take turns in batches; meanwhile rows are opened for the other direction
+/// in banks that this one leaves alone. Paper 5.3 (the memory that Ramulator simulates there).
 ///
 /// Nothing happens in most clocks: wake() is the first one in which something can, and the only ones to step.
 class DramChannel {
@@ -52,6 +52,7 @@ class DramChannel {
   struct Bank {
     bool open = false;
     std::uint32_t row = 0;
+    unsigned overtaken = 0;  ///< lines since it was opened that were not the bank's oldest
     std::uint64_t activate_from = 0;
     std::uint64_t column_from = 0;
     std::uint64_t precharge_from = 0;
@@ -65,7 +66,7 @@ class DramChannel {
   bool due(std::uint64_t from, std::uint64_t clock);
   void command(DramCommandKind kind, unsigned bank, std::uint64_t clock);
   void choose_direction(std::uint64_t clock);
-  bool impatient(const DramQueue& queue, unsigned bank, std::uint64_t clock);
+  bool exhausted(const DramQueue& queue, unsigned bank) const;
   int pick_column(const DramQueue& queue, std::uint64_t clock);
   DramReadIssued issue_column(DramQueue& queue, int slot, std::uint64_t clock);
   bool prepare_row(DramQueue& queue, std::uint32_t banks, std::uint64_t clock);

@@ -49,11 +49,16 @@ std::optional<std::string> DramConfig::check() const {
   checks.range("write_low", write_low, 0, write_high - 1u);
   checks.range("batch_lines", batch_lines, 1, kMostClocks);
   checks.range("idle_clocks", idle_clocks, 0, kMostClocks);
-  checks.range("patience_clocks", patience_clocks, 1, kMostClocks);
+  checks.range("overtakes", overtakes, 0, kMostClocks);
   checks.range("outstanding", outstanding, 1, 4096);
   checks.range("answer_latency", answer_latency, 1, kMostClocks);
   checks.range("jitter", jitter, 0, kMostClocks);
   return checks.first;
+}
+
+std::uint64_t DramConfig::cycles_at_peak(std::uint64_t bytes) const {
+  const std::uint64_t bytes_per_microsecond = std::uint64_t{1} * channels * kBytesPerClock * timing.clock_mhz;
+  return (bytes * core_clock_mhz + bytes_per_microsecond - 1) / bytes_per_microsecond;
 }
 
 }  // namespace cbvh::rtl

@@ -33,9 +33,10 @@ struct DramConfig {
   unsigned write_queue_depth = 64;  ///< likewise
   unsigned write_high = 48;         ///< a channel turns to writing when so many lines wait ...
   unsigned write_low = 8;           ///< ... and back to reading, if reads wait, when no more than these are left
-  unsigned batch_lines = 96;        ///< a direction is kept for so many lines while the other's are waiting
+  unsigned batch_lines = 64;        ///< a direction is kept for so many lines while the other's are waiting
   unsigned idle_clocks = 32;        ///< without a read after which a channel writes below the high mark as well
-  unsigned patience_clocks = 400;   ///< a line that waited so long is no more overtaken by others in its bank
+  unsigned overtakes =
+      32;  ///< lines that may overtake an older one of their bank, for another row, while a row is open
   DramRefresh refresh = DramRefresh::all_banks;
 
   unsigned outstanding = 64;    ///< answers a port may wait for: the size of its reorder buffer in lines
@@ -47,6 +48,9 @@ struct DramConfig {
 
   /// The first field that cannot be, found and wanted.
   std::optional<std::string> check() const;
+  /// Core cycles that so many bytes take if the data buses never rest.
+  std::uint64_t cycles_at_peak(std::uint64_t bytes) const;
+  /// Of a bank.
   std::uint64_t rows() const { return capacity_bytes / channels / banks / row_bytes; }
 };
 

@@ -40,8 +40,8 @@ struct DramTiming {
   bool operator==(const DramTiming&) const = default;
 };
 
-/// A line of 64 bytes is two bursts of eight on 32 data wires.
-constexpr unsigned kBurstsPerLine = 2;
+constexpr unsigned kBytesPerClock = 8;  ///< 32 data wires, both edges
+constexpr unsigned kBurstsPerLine = 2;  ///< of eight words: 64 bytes
 
 struct DramTimingEntry {
   const char* name;  ///< JEDEC's

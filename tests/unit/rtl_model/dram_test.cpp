@@ -88,7 +88,7 @@ TEST(Dram, jitter_changes_timing_and_no_data) {
   const auto nervous = run_one_port(50);
   EXPECT_EQ(quiet->clients[0].answers, nervous->clients[0].answers);
   EXPECT_NE(quiet->clients[0].answer_cycles, nervous->clients[0].answer_cycles);
-  EXPECT_GT(nervous->statistic("read_latency"), quiet->statistic("read_latency") + 20);
+  EXPECT_GT(nervous->statistic("read_latency"), quiet->statistic("read_latency") + 10);
 }
 
 TEST(Dram, acknowledgement_comes_after_answer_latency_and_a_lone_read_after_its_row_is_open) {

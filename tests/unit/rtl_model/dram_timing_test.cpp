@@ -71,6 +71,35 @@ TEST(DramTiming, checker_sees_each_constraint_that_is_broken_by_one_clock) {
   EXPECT_EQ(broken, 17u);
 }
 
+TEST(DramTiming, every_line_moves_to_or_from_the_row_of_its_address) {
+  DramConfig config;
+  config.bank_hash = false;
+  config.interleave_bytes = 64;
+  DramBench bench(config);
+  DramCommandChecker checker;
+  std::size_t checks = 0;
+  std::uint64_t line = 0;
+  bool announced = false;
+  bench.dram.hooks.on_access = [&](const DramAccess& access) {
+    line = access.address / 64;
+    announced = true;
+  };
+  bench.dram.hooks.on_command = [&](const DramCommand& command) {
+    checker(command);
+    if (!announced) return;
+    announced = false;
+    EXPECT_EQ(command.channel, line % 2);
+    EXPECT_EQ(command.bank, line / 2 / 64 % 8);
+    EXPECT_EQ(command.row, line / 2 / 64 / 8);
+    ++checks;
+  };
+  for (std::size_t i = 0; i < testing::kDramPorts; ++i)
+    bench.clients[i].requests = testing::random_requests(3000, 1000 << 4 * i, i);
+  ASSERT_TRUE(bench.run());
+  EXPECT_EQ(checker.first_violation, "");
+  EXPECT_EQ(checks, bench.dram.counts().reads + bench.dram.counts().writes);
+}
+
 TEST(DramTiming, refreshes_go_on_when_nothing_is_asked) {
   for (const DramRefresh refresh : {DramRefresh::all_banks, DramRefresh::per_bank}) {
     DramConfig config;
