@@ -65,7 +65,11 @@ void measure_sweep(const EvalRules& rules, const Work& work, SweepPoint& point) 
   point.four_levels = golden::compress_streaming(work.floats, grid, Code::modulo, 4).counts.backtracks;
 }
 
-/// Everything there is to measure of a built scene.
+std::size_t pieces_per_scene(const EvalJob& job) {
+  return job.sweep.size() + 1 + kCodes.size() * kTreeletDepths + (job.runtime ? 1 : 0);
+}
+
+/// Everything there is to measure of a built scene: pieces_per_scene of them.
 void add_pieces(const EvalJob& job, Work& work, SceneMeasure& scene, std::vector<Piece>& pieces) {
   for (const std::optional<int> min_scale : job.sweep) scene.sweep.push_back({min_scale, 0, 0, 0});
   for (SweepPoint& point : scene.sweep) pieces.push_back([&] { measure_sweep(job.rules, work, point); });
@@ -135,6 +139,7 @@ std::vector<SceneMeasure> measure_scenes(const EvalJob& job) {
   check_scenes(job.scenes);
   std::vector<Work> works(job.scenes.size());
   std::vector<SceneMeasure> scenes(job.scenes.size());
+  Progress progress("eval", scenes.size() * (1 + pieces_per_scene(job)));
   parallel_for(scenes.size(), job.threads, [&](std::size_t i) {
     works[i].mesh = golden::load_scene(job.scenes[i]);
     works[i].floats = golden::build_lbvh(works[i].mesh);
@@ -143,11 +148,11 @@ std::vector<SceneMeasure> measure_scenes(const EvalJob& job) {
     scenes[i].leaves = works[i].floats.leaves;
     scenes[i].pairs = works[i].floats.pairs.size();
     if (!job.runtime) works[i].mesh = {};
+    progress.step();
   });
   tell_apart(job.scenes, scenes);
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < scenes.size(); ++i) add_pieces(job, works[i], scenes[i], pieces);
-  Progress progress("eval", pieces.size());
   parallel_for(pieces.size(), job.threads, [&](std::size_t i) {
     pieces[i]();
     progress.step();
