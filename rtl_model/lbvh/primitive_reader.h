@@ -31,7 +31,7 @@ class PrimitiveReader {
   void commit(CommitKey) {}
 
  private:
-  static constexpr std::size_t kWindow = 2 * kWordsPerLine;
+  static constexpr std::size_t kWindow = std::size_t{2} * kWordsPerLine;
 
   void give() {
     const auto word = [this](std::size_t index) { return window_[(first_word_ + index) % kWindow].value(); };

@@ -14,8 +14,8 @@ namespace cbvh::rtl {
 /// `jitter`: for tests of modules, and for asking what a design would do without DRAM.
 class IdealLineMemory {
  public:
-  IdealLineMemory(std::vector<LinePort> ports, std::uint64_t capacity_lines, unsigned latency = 4, unsigned jitter = 0,
-                  std::uint64_t seed = 0)
+  IdealLineMemory(const std::vector<LinePort>& ports, std::uint64_t capacity_lines, unsigned latency = 4,
+                  unsigned jitter = 0, std::uint64_t seed = 0)
       : store(capacity_lines), latency_(latency), jitter_(jitter), random_(seed) {
     for (const LinePort& port : ports) ports_.push_back({port, Fifo<Answer>(kOutstanding)});
   }

@@ -13,10 +13,10 @@ namespace cbvh::testbench {
 /// Lines that a unit under test may use: vectors stay far below.
 constexpr std::uint64_t kMemoryLines = 1 << 16;
 
-inline rtl::IdealLineMemory make_line_memory(std::vector<rtl::LinePort> ports, const RunOptions& options,
+inline rtl::IdealLineMemory make_line_memory(const std::vector<rtl::LinePort>& ports, const RunOptions& options,
                                              std::uint64_t number) {
   const bool jitters = options.stalls == Stalls::sink || options.stalls == Stalls::both;
-  return rtl::IdealLineMemory(std::move(ports), kMemoryLines, options.memory_latency, jitters ? kMemoryJitter : 0,
+  return rtl::IdealLineMemory(ports, kMemoryLines, options.memory_latency, jitters ? kMemoryJitter : 0,
                               options.stall_seed + number);
 }
 
