@@ -6,28 +6,33 @@
 #include "rtl_model/kernel/channel.h"
 #include "rtl_model/kernel/fifo.h"
 #include "rtl_model/kernel/random.h"
+#include "rtl_model/kernel/stall.h"
 #include "rtl_model/memory/line_store.h"
 
 namespace cbvh::rtl {
 
-/// A memory that takes a request a clock at every port and answers `latency` clocks later, plus a random delay of up to
-/// `jitter`: for tests of modules, and for asking what a design would do without DRAM.
+/// A memory that takes a request a clock at every port and answers `latency` clocks later. With a `jitter` answers are
+/// late by up to so many clocks more, at random, and ports take no requests for a while: for tests of modules, and for
+/// asking what a design would do without DRAM.
 class IdealLineMemory {
  public:
   IdealLineMemory(const std::vector<LinePort>& ports, std::uint64_t capacity_lines, unsigned latency = 4,
                   unsigned jitter = 0, std::uint64_t seed = 0)
       : store(capacity_lines), latency_(latency), jitter_(jitter), random_(seed) {
-    for (const LinePort& port : ports) ports_.push_back({port, Fifo<Answer>(kOutstanding)});
+    for (const LinePort& port : ports) {
+      ports_.push_back({port, Fifo<Answer>(kOutstanding),
+                        jitter == 0 ? StallPattern::never() : StallPattern::bursts(seed + ports_.size())});
+    }
   }
 
   void tick() {
     ++cycle_;
-    for (auto& [port, answers] : ports_) {
+    for (auto& [port, answers, stalls] : ports_) {
       if (!answers.empty() && answers.front().ready_cycle <= cycle_ && port.answers->can_push()) {
         port.answers->push(answers.front().data);
         answers.pop();
       }
-      if (port.requests->can_pop() && answers.free() > 0) take(port.requests->pop(), answers);
+      if (!stalls.stalls() && port.requests->can_pop() && answers.free() > 0) take(port.requests->pop(), answers);
     }
   }
   void commit(CommitKey) {}
@@ -45,6 +50,7 @@ class IdealLineMemory {
   struct Port {
     LinePort port;
     Fifo<Answer> answers;
+    StallPattern stalls;
   };
 
   void take(const LineRequest& request, Fifo<Answer>& answers) {
