@@ -46,4 +46,56 @@ struct RunEvent {
   bool operator==(const RunEvent&) const = default;
 };
 
+/// What the run merger sends: a record of a pass that goes back to memory, or of the scene in order.
+struct MergeEvent {
+  rtl::UInt<1> rewritten;
+  rtl::SortItem item;
+  static constexpr auto fields() {
+    return rtl::field_list("rewritten", &MergeEvent::rewritten, "item", &MergeEvent::item);
+  }
+  bool operator==(const MergeEvent&) const = default;
+};
+
+/// A record for the hierarchy emitter.
+struct EmitStep {
+  rtl::SortItem item;
+  rtl::SceneRegisters registers;  ///< configuration, the same in all records of an episode
+  static constexpr auto fields() { return rtl::field_list("item", &EmitStep::item, "registers", &EmitStep::registers); }
+  bool operator==(const EmitStep&) const = default;
+};
+
+/// What the hierarchy emitter sends: of each scene its pairs, then its IDs, then the report.
+struct EmitEvent {
+  enum class Kind : std::uint8_t { pair, id, report };
+  rtl::UInt<2> kind;
+  rtl::StreamJob job;
+  rtl::IdEntry id;
+  rtl::EmitReport report;
+  static constexpr auto fields() {
+    return rtl::field_list("kind", &EmitEvent::kind, "job", &EmitEvent::job, "id", &EmitEvent::id, "report",
+                           &EmitEvent::report);
+  }
+  bool operator==(const EmitEvent&) const = default;
+};
+
+/// An entry for the ID writer.
+struct IdStep {
+  rtl::IdEntry entry;
+  rtl::LineAddress base;  ///< configuration, the same in all entries of an episode
+  static constexpr auto fields() { return rtl::field_list("entry", &IdStep::entry, "base", &IdStep::base); }
+  bool operator==(const IdStep&) const = default;
+};
+
+/// What a unit that writes a stream sends: a line to memory, or the report.
+struct WriteEvent {
+  rtl::UInt<1> is_report;
+  rtl::LineRequest request;
+  rtl::WriteReport report;
+  static constexpr auto fields() {
+    return rtl::field_list("is_report", &WriteEvent::is_report, "request", &WriteEvent::request, "report",
+                           &WriteEvent::report);
+  }
+  bool operator==(const WriteEvent&) const = default;
+};
+
 }  // namespace cbvh::vectors

@@ -22,14 +22,24 @@ void check_parameter(const UnitDescription& unit, const char* name, int value, c
 }  // namespace
 
 std::span<const UnitDescription> units() {
-  static const std::vector<UnitDescription> all = {
-      describe_axis_compressor(),      describe_scale_estimator(),
-      describe_node_pair_compressor(), describe_node_pair_compressor_serial(),
-      describe_context_stack(),        describe_backtrack_unit(),
-      describe_treelet_collector(),    describe_lazy_treelet_collector(),
-      describe_stream_compressor(),    describe_primitive_reader(),
-      describe_box_builder(),          describe_morton_encoder(),
-      describe_run_sorter(),           describe_run_writer()};
+  static const std::vector<UnitDescription> all = {describe_axis_compressor(),
+                                                   describe_scale_estimator(),
+                                                   describe_node_pair_compressor(),
+                                                   describe_node_pair_compressor_serial(),
+                                                   describe_context_stack(),
+                                                   describe_backtrack_unit(),
+                                                   describe_treelet_collector(),
+                                                   describe_lazy_treelet_collector(),
+                                                   describe_stream_compressor(),
+                                                   describe_primitive_reader(),
+                                                   describe_box_builder(),
+                                                   describe_morton_encoder(),
+                                                   describe_run_sorter(),
+                                                   describe_run_writer(),
+                                                   describe_run_merger(),
+                                                   describe_hierarchy_emitter(),
+                                                   describe_id_writer(),
+                                                   describe_float_node_writer()};
   return all;
 }
 

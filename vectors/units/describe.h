@@ -20,5 +20,9 @@ UnitDescription describe_box_builder();
 UnitDescription describe_morton_encoder();
 UnitDescription describe_run_sorter();
 UnitDescription describe_run_writer();
+UnitDescription describe_run_merger();
+UnitDescription describe_hierarchy_emitter();
+UnitDescription describe_id_writer();
+UnitDescription describe_float_node_writer();
 
 }  // namespace cbvh::vectors
