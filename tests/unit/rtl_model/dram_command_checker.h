@@ -1,10 +1,8 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "rtl_model/memory/dram_trace.h"
@@ -32,7 +30,7 @@ class DramCommandChecker {
       case Kind::activate:
         return activate(channel, command);
       case Kind::precharge:
-        return precharge(channel, channel.banks.at(command.bank), "tRPpb");
+        return precharge(channel, channel.banks.at(command.bank));
       case Kind::precharge_all:
         return precharge_all(channel);
       case Kind::read:
@@ -49,6 +47,7 @@ class DramCommandChecker {
   std::map<std::string, std::size_t> violations;  ///< by rule
   std::string first_violation;
   std::map<Kind, std::size_t> counts;
+  std::size_t turnarounds = 0;  ///< of the data buses
   std::size_t checks = 0;
   std::map<std::string, long> closest;  ///< by rule: the least clocks by which it was kept
 
@@ -74,8 +73,9 @@ class DramCommandChecker {
     long refreshed = kLongAgo;
     long refreshed_bank = kLongAgo;
     long data_until = 0;
+    std::size_t refreshes = 0;
     std::size_t banks_refreshed = 0;
-    long first_data = 0;
+    bool wrote = false;  ///< the last burst
   };
 
   void violate(const std::string& rule) {
@@ -109,7 +109,7 @@ class DramCommandChecker {
     bank.row = command.row;
     bank.activated = now_;
   }
-  void precharge(Channel& channel, Bank& bank, const char*) {
+  void precharge(Channel& channel, Bank& bank) {
     that("precharge of a closed bank", bank.open);
     may_close(bank);
     bank.open = false;
@@ -131,14 +131,14 @@ class DramCommandChecker {
     Bank& bank = column(channel, command);
     after("tCCD of reads", channel.read, 4);
     after("tWTR", channel.written, 6 + 1 + 4 + 6);
-    moves_data(channel, now_ + 12 + 2);
+    moves_data(channel, now_ + 12 + 2, false);
     bank.read = channel.read = now_;
   }
   void write(Channel& channel, const rtl::DramCommand& command) {
     Bank& bank = column(channel, command);
     after("tCCD of writes", channel.written, 4);
     after("read to write", channel.read, 12 + 2 + 4 + 1 - 6);
-    moves_data(channel, now_ + 6 + 1);
+    moves_data(channel, now_ + 6 + 1, true);
     bank.written = channel.written = now_;
   }
   Bank& column(Channel& channel, const rtl::DramCommand& command) {
@@ -147,16 +147,18 @@ class DramCommandChecker {
     after("tRCD", bank.activated, 15);
     return bank;
   }
-  void moves_data(Channel& channel, long from) {
+  void moves_data(Channel& channel, long from, bool write) {
     that("one burst on the data bus at a time", from >= channel.data_until);
     channel.data_until = from + 4;
+    turnarounds += write != channel.wrote;
+    channel.wrote = write;
   }
   void refresh(Channel& channel) {
     for (const Bank& bank : channel.banks) that("refresh of an open bank", !bank.open);
     after("tRPab to refresh", channel.precharged_all, 17);
     after("tRPpb to refresh", channel.precharged, 15);
     after("tRFCab", channel.refreshed, 104);
-    that("tREFI", now_ <= (static_cast<long>(++refreshes_[&channel]) + 1) * 3120);
+    that("tREFI", now_ <= (static_cast<long>(++channel.refreshes) + 1) * 3120);
     channel.refreshed = now_;
   }
   void refresh_bank(Channel& channel, const rtl::DramCommand& command) {
@@ -173,7 +175,6 @@ class DramCommandChecker {
 
   const unsigned bank_count_;
   std::map<unsigned, Channel> channels_;
-  std::map<const Channel*, std::size_t> refreshes_;
   long now_ = 0;
   std::string where_;
 };

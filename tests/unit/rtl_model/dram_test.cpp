@@ -91,17 +91,23 @@ TEST(Dram, jitter_changes_timing_and_no_data) {
   EXPECT_GT(nervous->statistic("read_latency"), quiet->statistic("read_latency") + 10);
 }
 
-TEST(Dram, acknowledgement_comes_after_answer_latency_and_a_lone_read_after_its_row_is_open) {
-  DramConfig config;
-  config.core_clock_mhz = 800;  // a cycle a clock
-  DramBench bench(config);
-  bench.clients[0].requests = {write_request(5, 1, 0xFFFF, true)};
-  bench.clients[1].requests = {read_request(100)};
-  ASSERT_TRUE(bench.run());
-  // In the channel at 1, taken then, ready 2 cycles later, pushed then, seen one later.
-  EXPECT_EQ(bench.clients[0].answer_cycles.at(0), 1u + 2 + 1);
-  // Taken at 1; activate at 2, read tRCD later, the second burst's end tCCD + RL + tDQSCK + BL/2 later, then as above.
-  EXPECT_EQ(bench.clients[1].answer_cycles.at(0), 2u + 15 + 4 + 12 + 2 + 4 + 2 + 1);
+TEST(Dram, acknowledgement_comes_after_answer_latency_and_a_lone_read_after_its_row_is_open_at_any_clock_ratio) {
+  for (const std::uint64_t core_clock_mhz : {200u, 799u, 800u, 1000u, 1333u}) {
+    DramConfig config;
+    config.core_clock_mhz = static_cast<unsigned>(core_clock_mhz);
+    DramBench bench(config);
+    bench.clients[0].requests = {write_request(5, 1, 0xFFFF, true)};
+    bench.clients[1].requests = {read_request(100)};
+    ASSERT_TRUE(bench.run());
+    // Pushed in cycle 0, taken in 1 (two cycles into the run), ready 2 cycles later, seen one later.
+    EXPECT_EQ(bench.clients[0].answer_cycles.at(0), 1u + 2 + 1);
+    // Activate a clock after it was taken; then tRCD, and tCCD + RL + tDQSCK + BL/2 to the end of the second burst; the
+    // cycle in which that is over; then as above.
+    const std::uint64_t taken_clock = 2 * 800 / core_clock_mhz;
+    const std::uint64_t end_clock = taken_clock + 1 + 15 + 4 + 12 + 2 + 4;
+    const std::uint64_t end_cycle = (end_clock * core_clock_mhz + 799) / 800;
+    EXPECT_EQ(bench.clients[1].answer_cycles.at(0), end_cycle - 1 + 2 + 1) << core_clock_mhz << " MHz";
+  }
 }
 
 TEST(Dram, access_beyond_the_capacity_is_reported_and_answered) {

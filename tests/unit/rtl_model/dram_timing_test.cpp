@@ -28,6 +28,7 @@ DramCommandChecker watch_random_traffic(const DramConfig& config, std::size_t re
   EXPECT_EQ(bench.dram.counts().activates, checker.counts[DramCommandKind::activate]);
   EXPECT_EQ(2 * bench.dram.counts().reads, checker.counts[DramCommandKind::read]);
   EXPECT_EQ(2 * bench.dram.counts().writes, checker.counts[DramCommandKind::write]);
+  EXPECT_EQ(bench.dram.counts().turnarounds, checker.turnarounds);
   EXPECT_EQ(bench.dram.counts().precharges,
             checker.counts[DramCommandKind::precharge] + checker.counts[DramCommandKind::precharge_all]);
   EXPECT_EQ(bench.dram.counts().refreshes,
