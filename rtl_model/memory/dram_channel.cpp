@@ -23,8 +23,7 @@ DramChannel::DramChannel(const DramConfig& config, unsigned index, const DramHoo
       next_refresh_(refresh_period_) {}
 
 void DramChannel::push(bool write, const DramRequest& request) {
-  const Bank& bank = banks_[request.bank];
-  (write ? writes_ : reads_).push(request, bank.open && bank.row == request.row);
+  (write ? writes_ : reads_).push(request, is_open(request.bank) && banks_[request.bank].row == request.row);
   wake_ = std::min(wake_, request.arrival + 1);
 }
 
@@ -77,17 +76,23 @@ void DramChannel::choose_direction(std::uint64_t clock) {
   batch_ = 0;
 }
 
-/// The bank's oldest request is for another row than the open one, and next.
-bool DramChannel::exhausted(const DramQueue& queue, unsigned bank) const {
-  return banks_[bank].overtaken >= config_.overtakes && queue.oldest(bank) != queue.oldest_hit(bank);
+/// Those with a request for their open row that may go before all others of the bank.
+std::uint32_t DramChannel::hit_banks(const DramQueue& queue) const {
+  std::uint32_t banks = queue.hit_banks();
+  for (std::uint32_t left = banks & overtaken_banks_; left != 0; left &= left - 1) {
+    const unsigned bank = lowest(left);
+    if (queue.oldest(bank) != queue.oldest_hit(bank)) banks &= ~(1u << bank);
+  }
+  return banks;
 }
 
 int DramChannel::pick_column(const DramQueue& queue, std::uint64_t clock) {
   int best = DramQueue::kNone;
-  const std::uint64_t bus_from = writing_ ? write_from_ : read_from_;
-  for (std::uint32_t left = queue.hit_banks() & ~refreshing_; left != 0; left &= left - 1) {
+  const std::uint32_t banks = hit_banks(queue) & ~refreshing_;
+  if (banks == 0 || !due(writing_ ? write_from_ : read_from_, clock)) return best;
+  for (std::uint32_t left = banks; left != 0; left &= left - 1) {
     const unsigned bank = lowest(left);
-    if (exhausted(queue, bank) || !due(std::max(bus_from, banks_[bank].column_from), clock)) continue;
+    if (!due(banks_[bank].column_from, clock)) continue;
     const int hit = queue.oldest_hit(bank);
     if (best == DramQueue::kNone || queue[hit].age < queue[best].age) best = hit;
   }
@@ -100,6 +105,7 @@ DramReadIssued DramChannel::issue_column(DramQueue& queue, int slot, std::uint64
   const DramReadIssued issued{request.port, request.answer, clock + timing_.line_read()};
   Bank& bank = banks_[request.bank];
   bank.overtaken += queue.oldest(request.bank) != slot;
+  if (bank.overtaken >= config_.overtakes) overtaken_banks_ |= 1u << request.bank;
   const std::uint64_t second = clock + timing_.column_to_column;
   const std::uint64_t next = second + timing_.column_to_column;
   if (writing_) {
@@ -130,17 +136,18 @@ DramReadIssued DramChannel::issue_column(DramQueue& queue, int slot, std::uint64
 /// The oldest request, of these banks, whose bank has to be activated or precharged first and can be now.
 bool DramChannel::prepare_row(DramQueue& queue, std::uint32_t banks, std::uint64_t clock) {
   int best = DramQueue::kNone;
-  for (std::uint32_t left = queue.busy_banks() & banks; left != 0; left &= left - 1) {
+  banks &= queue.busy_banks() & ~hit_banks(queue);
+  if ((banks & ~open_banks_) != 0 && !due(activate_from_, clock)) banks &= open_banks_;
+  for (std::uint32_t left = banks; left != 0; left &= left - 1) {
     const unsigned number = lowest(left);
     const Bank& bank = banks_[number];
-    if (queue.oldest_hit(number) != DramQueue::kNone && !exhausted(queue, number)) continue;
-    if (!due(bank.open ? bank.precharge_from : std::max(bank.activate_from, activate_from_), clock)) continue;
+    if (!due(is_open(number) ? bank.precharge_from : bank.activate_from, clock)) continue;
     const int oldest = queue.oldest(number);
     if (best == DramQueue::kNone || queue[oldest].age < queue[best].age) best = oldest;
   }
   if (best == DramQueue::kNone) return false;
   DramRequest& request = queue[best];
-  if (banks_[request.bank].open) {
+  if (is_open(request.bank)) {
     request.precharged = true;
     precharge(request.bank, clock);
   } else {
@@ -152,7 +159,8 @@ bool DramChannel::prepare_row(DramQueue& queue, std::uint32_t banks, std::uint64
 
 void DramChannel::activate(unsigned number, std::uint32_t row, std::uint64_t clock) {
   Bank& bank = banks_[number];
-  bank.open = true;
+  open_banks_ |= 1u << number;
+  overtaken_banks_ &= ~(1u << number);
   bank.row = row;
   bank.overtaken = 0;
   bank.column_from = clock + timing_.activate_to_column;
@@ -175,7 +183,7 @@ void DramChannel::precharge(unsigned number, std::uint64_t clock) {
 
 void DramChannel::close(unsigned number, std::uint64_t activate_from) {
   Bank& bank = banks_[number];
-  bank.open = false;
+  open_banks_ &= ~(1u << number);
   bank.activate_from = std::max(bank.activate_from, activate_from);
   reads_.row_closed(number);
   writes_.row_closed(number);
@@ -190,13 +198,12 @@ bool DramChannel::refresh(std::uint64_t clock) {
 }
 
 bool DramChannel::refresh_all(std::uint64_t clock) {
-  bool any_open = false;
+  const bool any_open = open_banks_ != 0;
   std::uint64_t precharge_from = 0;
   std::uint64_t refresh_from = 0;
-  for (const Bank& bank : banks_) {
-    any_open |= bank.open;
-    if (bank.open) precharge_from = std::max(precharge_from, bank.precharge_from);
-    refresh_from = std::max(refresh_from, bank.activate_from);
+  for (unsigned number = 0; number < banks_.size(); ++number) {
+    if (is_open(number)) precharge_from = std::max(precharge_from, banks_[number].precharge_from);
+    refresh_from = std::max(refresh_from, banks_[number].activate_from);
   }
   if (!due(any_open ? precharge_from : refresh_from, clock)) return false;
   const unsigned busy = any_open ? timing_.precharge_all : timing_.refresh_all;
@@ -215,7 +222,7 @@ bool DramChannel::refresh_all(std::uint64_t clock) {
 
 bool DramChannel::refresh_next_bank(std::uint64_t clock) {
   Bank& bank = banks_[refresh_bank_];
-  if (bank.open) {
+  if (is_open(refresh_bank_)) {
     if (!due(bank.precharge_from, clock)) return false;
     precharge(refresh_bank_, clock);
     return true;

@@ -50,7 +50,6 @@ class DramChannel {
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
   /// When a bank may be given its next commands.
   struct Bank {
-    bool open = false;
     std::uint32_t row = 0;
     unsigned overtaken = 0;  ///< lines since it was opened that were not the bank's oldest
     std::uint64_t activate_from = 0;
@@ -66,10 +65,11 @@ class DramChannel {
   bool due(std::uint64_t from, std::uint64_t clock);
   void command(DramCommandKind kind, unsigned bank, std::uint64_t clock);
   void choose_direction(std::uint64_t clock);
-  bool exhausted(const DramQueue& queue, unsigned bank) const;
+  std::uint32_t hit_banks(const DramQueue& queue) const;
   int pick_column(const DramQueue& queue, std::uint64_t clock);
   DramReadIssued issue_column(DramQueue& queue, int slot, std::uint64_t clock);
   bool prepare_row(DramQueue& queue, std::uint32_t banks, std::uint64_t clock);
+  bool is_open(unsigned bank) const { return (open_banks_ >> bank & 1u) != 0; }
   void activate(unsigned number, std::uint32_t row, std::uint64_t clock);
   void precharge(unsigned number, std::uint64_t clock);
   void close(unsigned number, std::uint64_t activate_from);
@@ -85,6 +85,8 @@ class DramChannel {
   DramQueue reads_;
   DramQueue writes_;
   std::vector<Bank> banks_;
+  std::uint32_t open_banks_ = 0;       ///< a bit each
+  std::uint32_t overtaken_banks_ = 0;  ///< likewise: as often as is allowed
   SecondBurst second_burst_;
   std::uint64_t wake_ = 0;
 

@@ -49,7 +49,7 @@ std::optional<std::string> DramConfig::check() const {
   checks.range("write_low", write_low, 0, write_high - 1u);
   checks.range("batch_lines", batch_lines, 1, kMostClocks);
   checks.range("idle_clocks", idle_clocks, 0, kMostClocks);
-  checks.range("overtakes", overtakes, 0, kMostClocks);
+  checks.range("overtakes", overtakes, 1, kMostClocks);
   checks.range("outstanding", outstanding, 1, 4096);
   checks.range("answer_latency", answer_latency, 1, kMostClocks);
   checks.range("jitter", jitter, 0, kMostClocks);

@@ -78,7 +78,7 @@ TEST(DramFairness, a_read_is_overtaken_by_no_more_hits_of_its_bank_than_allowed)
     DramBench bench(config);
     for (std::uint64_t i = 0; i < kLines; ++i) bench.clients[0].requests.push_back(read_request(i % 64));
     const DramAddressMap map(config);
-    std::uint64_t rival = 64 * 8;
+    std::uint64_t rival = 512;
     while (map.place(rival).bank != map.place(0).bank) rival += 64;
     for (int i = 0; i < 50; ++i) bench.clients[1].requests.push_back(read_request(rival));
     bench.clients[1].window = 1;
@@ -124,9 +124,11 @@ TEST(DramFairness, ports_that_ask_alike_are_served_alike) {
       }
     }
     while (bench.clients[0].sent < kLines / 4) bench.step();
-    for (std::size_t port = 1; port < 4; ++port)
-      EXPECT_NEAR(static_cast<double>(bench.clients[port].sent), kLines / 4, kLines / 40) << "port " << port;
-    for (const auto& client : bench.clients) EXPECT_LT(client.longest_wait, 2500u);
+    for (const auto& client : bench.clients) {
+      EXPECT_GT(client.sent, kLines / 4 - 100);
+      EXPECT_LT(client.sent, kLines / 4 + 100);
+      EXPECT_LT(client.longest_wait, 500u);
+    }
   }
 }
 

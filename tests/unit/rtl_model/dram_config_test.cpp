@@ -57,7 +57,7 @@ TEST(DramAddress, no_two_lines_share_a_place_and_a_row_holds_consecutive_lines) 
       for (std::uint64_t line = 0; line < lines; ++line) {
         const DramPlace place = map.place(line);
         EXPECT_EQ(place.channel, line / (interleave_bytes / kBytesPerLine) % 2);
-        EXPECT_EQ(place.row, line / (2 * 64 * 8));
+        EXPECT_EQ(place.row, line / (1024));
         EXPECT_LT(place.bank, 8u);
         EXPECT_LT(place.column, 64u);
         places.insert({place.channel, place.bank, place.row, place.column});

@@ -51,7 +51,7 @@ TEST(Dram, smallest_queues_and_odd_clocks_lose_nothing) {
   config.banks = 1;
   config.row_bytes = 64;
   config.interleave_bytes = 64;
-  config.capacity_bytes = 64 * 64;
+  config.capacity_bytes = 4096;
   config.read_queue_depth = config.write_queue_depth = config.write_high = config.batch_lines = 1;
   config.write_low = 0;
   config.outstanding = 1;
@@ -103,7 +103,7 @@ TEST(Dram, acknowledgement_comes_after_answer_latency_and_a_lone_read_after_its_
     EXPECT_EQ(bench.clients[0].answer_cycles.at(0), 1u + 2 + 1);
     // Activate a clock after it was taken; then tRCD, and tCCD + RL + tDQSCK + BL/2 to the end of the second burst; the
     // cycle in which that is over; then as above.
-    const std::uint64_t taken_clock = 2 * 800 / core_clock_mhz;
+    const std::uint64_t taken_clock = 1600 / core_clock_mhz;
     const std::uint64_t end_clock = taken_clock + 1 + 15 + 4 + 12 + 2 + 4;
     const std::uint64_t end_cycle = (end_clock * core_clock_mhz + 799) / 800;
     EXPECT_EQ(bench.clients[1].answer_cycles.at(0), end_cycle - 1 + 2 + 1) << core_clock_mhz << " MHz";

@@ -95,7 +95,7 @@ TEST(DramTiming, every_line_moves_to_or_from_the_row_of_its_address) {
     ++checks;
   };
   for (std::size_t i = 0; i < testing::kDramPorts; ++i)
-    bench.clients[i].requests = testing::random_requests(3000, 1000 << 4 * i, i);
+    bench.clients[i].requests = testing::random_requests(3000, std::uint64_t{1000} << 4 * i, i);
   ASSERT_TRUE(bench.run());
   EXPECT_EQ(checker.first_violation, "");
   EXPECT_EQ(checks, bench.dram.counts().reads + bench.dram.counts().writes);
