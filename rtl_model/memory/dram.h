@@ -9,7 +9,8 @@
 #include "rtl_model/kernel/random.h"
 #include "rtl_model/memory/dram_address.h"
 #include "rtl_model/memory/dram_channel.h"
-#include "rtl_model/memory/ideal_line_memory.h"
+#include "rtl_model/memory/line_port.h"
+#include "rtl_model/memory/line_store.h"
 
 namespace cbvh::rtl {
 
@@ -18,9 +19,10 @@ namespace cbvh::rtl {
 /// that port's requests.
 ///
 /// A read of a line that waits to be written gets the written words from the write queue, and goes to the pins only for
-/// words that are missing there. A write to a line that waits to be written joins it. A write to a line that waits to
-/// be read is not taken before that read is on the pins. So what a read returns is fixed when it is taken, and the
-/// model looks it up then. Memory it needs: the queues, and `outstanding` lines for each port.
+/// words that are missing there. A write to a line that waits to be written joins it. (A full queue takes neither.) A
+/// write to a line that waits to be read is not taken before that read is on the pins. So what a read returns is fixed
+/// when it is taken, and the model looks it up then. Memory it needs: the queues, and `outstanding` lines for each
+/// port.
 class Dram {
  public:
   /// `config` must pass its check().
