@@ -37,6 +37,9 @@ class RunWriter {
   }
   void commit(CommitKey) {}
 
+  /// For the driver: runs so far whose last line is half empty.
+  std::uint64_t odd_runs() const { return odd_runs_; }
+
  private:
   enum class State { idle, writing, acknowledging };
   static constexpr std::uint64_t kRecordMask = (1U << kWordsPerRecord) - 1;
@@ -61,6 +64,7 @@ class RunWriter {
       requests_.push(line_);
       begin_line(truncate<kLineAddressBits>(line_.line + UInt<1>(1)));
     }
+    if (ends_run) odd_runs_ += run_.records.value() % kRecordsPerLine;
     if (tells_run) {
       runs_.push(run_);
       begin_run(truncate<kLineAddressBits>(line_.line + area_.padding));
@@ -81,6 +85,7 @@ class RunWriter {
   RunArea area_;
   RunDescriptor run_;  ///< the run that is being written
   LineRequest line_;   ///< the line that is being filled
+  std::uint64_t odd_runs_ = 0;
 };
 
 }  // namespace cbvh::rtl

@@ -20,22 +20,34 @@ class IdealLineMemory {
                   unsigned jitter = 0, std::uint64_t seed = 0)
       : store(capacity_lines), latency_(latency), jitter_(jitter), random_(seed) {
     for (const LinePort& port : ports) {
-      ports_.push_back({port, Fifo<Answer>(kOutstanding),
-                        jitter == 0 ? StallPattern::never() : StallPattern::bursts(seed + ports_.size())});
+      ports_.push_back({port,
+                        Fifo<Answer>(kOutstanding),
+                        jitter == 0 ? StallPattern::never() : StallPattern::bursts(seed + ports_.size()),
+                        {}});
     }
   }
 
   void tick() {
     ++cycle_;
-    for (auto& [port, answers, stalls] : ports_) {
+    for (auto& [port, answers, stalls, counts] : ports_) {
       if (!answers.empty() && answers.front().ready_cycle <= cycle_ && port.answers->can_push()) {
         port.answers->push(answers.front().data);
         answers.pop();
       }
-      if (!stalls.stalls() && port.requests->can_pop() && answers.free() > 0) take(port.requests->pop(), answers);
+      if (stalls.stalls() || !port.requests->can_pop() || answers.free() == 0) continue;
+      const LineRequest& request = port.requests->pop();
+      ++(request.write ? counts.writes : counts.reads);
+      take(request, answers);
     }
   }
   void commit(CommitKey) {}
+
+  /// 64-byte accesses of one port.
+  struct Counts {
+    std::uint64_t reads = 0;
+    std::uint64_t writes = 0;
+  };
+  const Counts& port_counts(std::size_t port) const { return ports_[port].counts; }
 
   LineStore store;
   std::uint64_t reads = 0;  ///< 64-byte accesses
@@ -51,6 +63,7 @@ class IdealLineMemory {
     LinePort port;
     Fifo<Answer> answers;
     StallPattern stalls;
+    Counts counts;
   };
 
   void take(const LineRequest& request, Fifo<Answer>& answers) {
