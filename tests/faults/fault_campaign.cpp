@@ -34,12 +34,17 @@ constexpr rlim_t kSeconds = 60;
 /// The units whose sets are asked first: those the faulty part is closest to.
 std::vector<std::string> nearest_units(const Fault& fault) {
   if (fault.kind == Fault::Kind::decision)
-    return {"context_stack", "backtrack_unit", "lazy_treelet_collector", "stream_compressor"};
+    return {"context_stack", "backtrack_unit", "lazy_treelet_collector", "stream_compressor", "run_sorter"};
   switch (fault.datapath) {
     case rtl::Datapath::compress_axis:
       return {"axis_compressor"};
     case rtl::Datapath::estimate_scale:
       return {"scale_estimator"};
+    case rtl::Datapath::primitive_box:
+      return {"box_builder"};
+    case rtl::Datapath::morton_frame:
+    case rtl::Datapath::morton_code:
+      return {"morton_encoder"};
     case rtl::Datapath::reencode:
     case rtl::Datapath::invalidates:
       return {"backtrack_unit", "treelet_collector"};

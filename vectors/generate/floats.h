@@ -21,8 +21,10 @@ inline float any_finite_float(Random& random) {
 inline float any_sign(float x, Random& random) { return random.flip() ? -x : x; }
 /// -0 or +0.
 inline float any_zero(Random& random) { return any_sign(0.0F, random); }
-/// Subnormal, zero, or among the smallest normal numbers.
-inline float any_tiny_float(Random& random) { return any_sign(float_of_bits(random.below(0x01000000)), random); }
+/// Subnormal, zero, or among the smallest normal numbers; of any magnitude there, from the last place on.
+inline float any_tiny_float(Random& random) {
+  return any_sign(float_of_bits(random.below(std::uint64_t{2} << random.between(0, 23))), random);
+}
 /// Within a few last places of the largest.
 inline float any_huge_float(Random& random) { return any_sign(float_of_bits(0x7F7FFFFF - random.below(8)), random); }
 /// An infinity or a NaN.

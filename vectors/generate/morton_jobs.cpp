@@ -28,12 +28,28 @@ struct Bounds {
 
 Bounds in_order(float a, float b) { return {std::min(a, b), std::max(a, b)}; }
 
+/// So many times the smallest float.
+float of_last_places(int count) { return std::ldexp(static_cast<float>(count), -149); }
+
+/// Few last places wide, so that the rounding of each operation is seen.
+Bounds subnormal_scene(Random& random) {
+  const int most = 1 << random.between(1, 14);
+  return in_order(of_last_places(random.between(-most, most)), of_last_places(random.between(-most, most)));
+}
+Bounds subnormal_box(const Bounds& scene, Random& random) {
+  const auto place = [&] {
+    return of_last_places(
+        random.between(static_cast<int>(std::ldexp(scene.lower, 149)), static_cast<int>(std::ldexp(scene.upper, 149))));
+  };
+  return in_order(place(), place());
+}
+
 Bounds scene_axis(std::size_t case_class, Random& random) {
   switch (case_class) {
     case kSignedZero:
       return random.flip() ? Bounds{any_zero(random), 1} : Bounds{-1, any_zero(random)};
     case kSubnormal:
-      return in_order(any_tiny_float(random), any_tiny_float(random));
+      return random.one_in(3) ? in_order(any_tiny_float(random), any_tiny_float(random)) : subnormal_scene(random);
     case kLargestFinite:
       return random.one_in(4) ? Bounds{-std::numeric_limits<float>::max(), any_tiny_float(random)}
                               : Bounds{-std::fabs(any_huge_float(random)), std::fabs(any_huge_float(random))};
@@ -60,7 +76,7 @@ Bounds box_axis(std::size_t case_class, const Bounds& scene, Random& random) {
     case kSignedZero:
       return random.one_in(3) ? Bounds{-random.unit(), random.unit()} : Bounds{any_zero(random), any_zero(random)};
     case kSubnormal:
-      return in_order(any_tiny_float(random), any_tiny_float(random));
+      return subnormal_box(scene, random);
     case kLargestFinite:
       return random.flip() ? in_order(any_huge_float(random), any_huge_float(random))
                            : in_order(any_finite_float(random), any_finite_float(random));
@@ -92,7 +108,7 @@ std::vector<MortonJob> make_morton_jobs(std::size_t case_class, Random& random) 
     job.registers.scene.upper[axis] = rtl::Float32::of(scene[axis].upper);
   }
   std::vector<MortonJob> jobs;
-  for (int left = random.between(1, 16); left-- > 0;) {
+  for (int left = random.between(1, 24); left-- > 0;) {
     job.box = {};
     job.box.id = rtl::Pointer::of_raw(random.next());
     job.box.last = rtl::UInt<1>(left == 0);
