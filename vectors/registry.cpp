@@ -39,7 +39,14 @@ std::span<const UnitDescription> units() {
                                                    describe_run_merger(),
                                                    describe_hierarchy_emitter(),
                                                    describe_id_writer(),
-                                                   describe_float_node_writer()};
+                                                   describe_float_node_writer(),
+                                                   describe_node_writer(),
+                                                   describe_tree_reader(),
+                                                   describe_id_reader(),
+                                                   describe_primitive_gatherer(),
+                                                   describe_refit_walker(),
+                                                   describe_refit_unit(),
+                                                   describe_top_down_compressor()};
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "golden/tree/node_pair_format.h"
 #include "vectors/vector_set.h"
 
 namespace cbvh::vectors {
@@ -189,6 +190,14 @@ UnitDescription describe_unit_of_bits() {
       return std::make_unique<TypedVectorSet<UnitOf<decltype(n)::value>>>(self, parameters, seed);
     });
   };
+  return unit;
+}
+
+/// The description of a family of units whose pairs lie packed in memory: wider codes have no packed form.
+template <template <int> class UnitOf>
+UnitDescription describe_unit_of_packed_bits() {
+  UnitDescription unit = describe_unit_of_bits<UnitOf>();
+  std::erase_if(unit.bits, [](int bits) { return bits > golden::kMostPackedBits; });
   return unit;
 }
 

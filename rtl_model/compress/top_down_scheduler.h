@@ -21,11 +21,11 @@ struct TopDownAddresses {
 /// 0. Float pairs are asked for in descending order as soon as the window has room, and come to their place in it. A
 /// pair goes to the compressor once it and its context are there, those nearest the root first, one a clock, in any
 /// order otherwise; results give contexts to their children, in the window or parked until the child's pair comes.
-/// Pairs leave the window in order, one a clock, and are checked: each must be the child that the top of a stack
-/// announces, in emission order from the end. Four make a line. A tree that is none, is deeper than the stack or has a
-/// box that is refused ends with its first bad pair in that order; nothing more is written. Memory: a window of 64
-/// pairs with contexts and results (64 x 900 bits, two contexts written a clock), 32 parked contexts that are found by
-/// their pointer, 32 pointers of announced pairs.
+/// Pairs leave the window in order, one a clock, and are checked: each must be the one that the top of a stack
+/// announces, and its children come after it and before all that is announced already. Four make a line. A tree that is
+/// none, is deeper than the stack or has a box that is refused ends with its first bad pair in that order; nothing more
+/// is written. Memory: a window of 64 pairs with contexts and results (64 x 900 bits, two contexts written a clock), 32
+/// parked contexts that are found by their pointer, 32 pointers of announced pairs.
 template <class Bits, int N>
 class TopDownScheduler {
  public:
@@ -108,6 +108,7 @@ class TopDownScheduler {
       break;
     }
   }
+  /// A pair with two parents gets a context twice: check() meets the second parent before it meets the pair.
   void give(Slot& place, std::uint64_t index, const Context& context) {
     place.context = context;
     ready_ |= bit_of(index);
@@ -154,10 +155,12 @@ class TopDownScheduler {
     announced_.drop(1);
     for (std::size_t child = 0; child < 2; ++child) {
       if (place.pair.leaf[child]) continue;
+      const std::uint64_t below = place.pair.pointer[child].value();
+      const bool in_order = below < index && (announced_.depth() == 0 || below > announced_.top());
+      if (!in_order) return refuse(Status::underflow, index);
       if (announced_.depth() == announced_.capacity()) return refuse(Status::overflow, index);
-      announced_.push() = place.pair.pointer[child].value();
+      announced_.push() = below;
     }
-    if (index == 0 && announced_.depth() > 0) return refuse(Status::underflow, index);
     if (index + 1 == pairs()) report_.root = place.result.context;
     line_.pairs[place_in_line] = place.result.pair;
     line_.mask = line_.mask | UInt<kPairsPerLine>(std::uint64_t{1} << place_in_line);

@@ -1,0 +1,11 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "vectors/units/id_reader.h"
+
+#include "vectors/typed_vector_set.h"
+#include "vectors/units/describe.h"
+
+namespace cbvh::vectors {
+
+UnitDescription describe_id_reader() { return describe_unit<IdReader>(); }
+
+}  // namespace cbvh::vectors
