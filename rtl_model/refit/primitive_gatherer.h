@@ -23,7 +23,7 @@ struct GathererConfig {
 /// changes in the order of the IDs however late memory answers: a prefetching texture cache (Igehy et al. 1998).
 /// A command gives the array and how many primitives it has, then IDs follow up to the one marked last. Each gives a
 /// primitive and its mark; an ID out of range gives zeros, and no access. A line access a clock: 1.5 clocks a primitive
-/// on average; the first primitive comes 3 clocks after its ID was taken and the memory's latency.
+/// on average; the first primitive comes 2 clocks after its ID was taken and the memory's latency.
 /// Memory: per held line a 27-bit tag and 512 bits of data, one entry read and written a clock, each; `outstanding`
 /// lines. Paper section 5.2: refitting reads 40 bytes a primitive.
 template <class Bits>

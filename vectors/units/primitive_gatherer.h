@@ -13,7 +13,7 @@ struct PrimitiveGatherer {
   using Response = GatherEvent;
   static constexpr std::string_view kName = "primitive_gatherer";
   static constexpr std::string_view kSummary = "primitives by number, neighbours sharing reads of lines (8 held)";
-  static constexpr std::string_view kLatencyText = "that of memory and 4, the first";
+  static constexpr std::string_view kLatencyText = "that of memory and 2, the first";
   static constexpr bool kStateful = true;
   static constexpr bool kTreelet = false;
   static constexpr const auto& kClasses = kGatherClasses;
