@@ -57,11 +57,10 @@ SimResult run_lbvh(const LbvhJob& job, Finish&& finish) {
   SimMemory memory(config, stalls.ports(), job.request.trace_path);
   store_primitives(job.mesh, job.config.primitives.value(), memory.store());
 
-  Progress progress("sim", 2 * job.config.count);
   bool sorted = false;
   std::uint64_t cycle = 0;
   const MachineRun run = run_machine(
-      pipeline, stalls, memory, job.request.machine, progress,
+      pipeline, stalls, memory, job.request.machine, 2 * job.config.count,
       [&] {
         if (!sorted && pipeline.records_merged() > 0) {
           sorted = true;

@@ -21,6 +21,7 @@ namespace cbvh::testbench {
 struct MachineOptions {
   std::uint64_t watchdog_cycles = 100000;
   bool utilisation = true;
+  bool progress = true;  ///< a bar on a terminal
   std::optional<WaveformRequest> waveform;
   std::optional<std::uint64_t> shuffle;  ///< seed of a random evaluation order, new every cycle
   std::optional<std::uint64_t> stalls;   ///< seed of random stalls at the memory's ports
@@ -47,7 +48,7 @@ class Deadlock : public golden::InputError {
 /// asked now and then. Throws Deadlock.
 template <class Design, class Memory, class Done, class Count>
 MachineRun run_machine(Design& design, PortStalls& stalls, Memory& memory, const MachineOptions& options,
-                       Progress& progress, Done&& done, Count&& count) {
+                       std::uint64_t items, Done&& done, Count&& count) {
   const auto start = std::chrono::steady_clock::now();
   rtl::Netlist netlist;
   netlist.add(design);
@@ -57,6 +58,8 @@ MachineRun run_machine(Design& design, PortStalls& stalls, Memory& memory, const
   std::optional<Waveform> waveform;
   if (options.waveform) waveform.emplace(*options.waveform, design);
   rtl::SplitMix64 order(options.shuffle.value_or(0));
+  std::optional<Progress> progress;
+  if (options.progress) progress.emplace("simulate", items);
   std::uint64_t transfers = 0;
   std::uint64_t moved_at = 0;
   std::uint64_t counted = 0;
@@ -70,9 +73,9 @@ MachineRun run_machine(Design& design, PortStalls& stalls, Memory& memory, const
     transfers = now;
     if (clock.cycle() - moved_at >= options.watchdog_cycles)
       throw Deadlock(clock.cycle(), clock.cycle() - moved_at, netlist.waiting());
-    const std::uint64_t items = count();
-    progress.step(items - counted);
-    counted = items;
+    const std::uint64_t done_items = count();
+    if (progress) progress->step(done_items - counted);
+    counted = done_items;
   }
   if (waveform) waveform->commit();
   MachineRun run;

@@ -104,10 +104,9 @@ SimResult refit(const RefitJob& job) {
     machine.commands.push(
         {rtl::ItemCount(job.tree.pairs.size()), rtl::ItemCount(n), vectors::scene_registers(rules, job.config.code)});
 
-    Progress progress("refit", 2 * n);
     const MachineRun run = run_machine(
-        machine, stalls, memory, job.request.machine, progress,
-        [&] { return machine.reports.can_pop() && memory.idle(); }, [&] { return machine.primitives.answers.pops(); });
+        machine, stalls, memory, job.request.machine, n, [&] { return machine.reports.can_pop() && memory.idle(); },
+        [&] { return std::min<std::uint64_t>(n, machine.ids.answers.pops() * rtl::kWordsPerLine); });
     memory.finish();
     const rtl::RefitReport report = machine.reports.front();
     if (report.walk != rtl::WalkReport()) {

@@ -4,7 +4,8 @@
 source "$SOURCE/tests/end_to_end/command/expect.sh"
 
 small="proc:spheres,triangles=2000,spheres=10"
-expect 0 eval proc:cloth "$small" --min-scales auto,-10 --json report.json --csv report.csv
+counted=figure1,table1,table3,figure7,figure10
+expect 0 eval proc:cloth "$small" --only $counted --min-scales auto,-10 --json report.json --csv report.csv
 says out "32 checks passed, 0 failed"
 json "j['checks'] == 32 and j['failures'] == [] and j['scale_rule'] == 'equation2' and j['min_scale'] == 'auto'"
 json "list(j['tables']) == ['scenes', 'figure1', 'table1', 'table3', 'figure7', 'figure10', 'figure10_scenes']"
@@ -65,11 +66,16 @@ agree out report.csv
 
 # Any number of threads, the same results; - is stdout.
 cp report.json first.json
-expect 0 eval proc:cloth "$small" --min-scales auto,-10 --jobs 1 --json - --csv report.csv
+expect 0 eval proc:cloth "$small" --only $counted --min-scales auto,-10 --jobs 1 --json - --csv report.csv
 cmp out first.json || fail "one thread gives another JSON"
 agree err report.csv
-expect 0 eval proc:cloth "$small" --min-scales auto,-10 --csv -
+expect 0 eval proc:cloth "$small" --only $counted --min-scales auto,-10 --csv -
 cmp out report.csv || fail "stdout is not the CSV alone"
+
+# The simulated runtimes: the scene's row, the averages over the scenes, what the bytes need, and the paper's rows.
+expect 0 eval proc:cloth "$small" --only table2 --json report.json --csv report.csv
+json "list(j['tables']) == ['scenes', 'table2', 'figure11', 'table2_bound', 'table2_paper']"
+json "len(j['tables']['table2']['rows']) == 2 and len(j['tables']['table2_paper']['rows']) == 16"
 
 expect 0 eval proc:cloth --only table1 --scale-rule figure5 --json report.json
 json "list(j['tables']) == ['scenes', 'table1'] and j['tables']['scenes']['rows'][0]['relative_1'] == 20814"
