@@ -11,7 +11,7 @@ namespace cbvh::rtl {
 
 /// Synthesis parameters of the run merger. The defaults are the paper's, section 5.3.
 struct MergeConfig {
-  std::uint64_t scratchpad_bytes = 256 * 1024;
+  std::uint64_t scratchpad_bytes = 256U << 10U;
   std::uint64_t minimum_buffer_records = 8;  ///< of a run, when as many runs as possible are merged
   std::uint64_t refill_lines = 16;   ///< read one after the other for one run, if its buffer holds two such batches:
                                      ///< fewer rows of DRAM are opened the more there are
