@@ -15,10 +15,8 @@ constexpr MergeOrder kMergeEnd{std::uint64_t{1} << kMortonBits};
 template <class Bits>
 constexpr bool right_goes_first(MergeOrder left, MergeOrder right) {
   [[maybe_unused]] const typename Bits::Scope scope(Datapath::merge_compare);
-  const auto a = lift<Bits>(left);
-  const auto b = lift<Bits>(right);
-  Bits::corner(Corner::merger_tie, ~differ(a, b) & less(a, lift<Bits>(kMergeEnd)));
-  return bool(less(b, a));
+  taken<Bits>(Corner::merger_tie, left == right && left != kMergeEnd);
+  return bool(less(lift<Bits>(right), lift<Bits>(left)));
 }
 
 }  // namespace cbvh::rtl

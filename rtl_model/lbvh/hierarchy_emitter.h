@@ -12,8 +12,8 @@ namespace cbvh::rtl {
 /// Sorted records become node pairs in emission order (left subtree, right subtree, the pair) and the primitive-ID
 /// array. Records with equal codes are one leaf. A stack holds the subtrees that wait for their right sibling; what is
 /// emitted is what the next record's code closes. A clock closes one pair, and takes the next record when nothing is
-/// left to close: a scene of n leaves takes at most about 1.5 clocks a leaf. A record is told from the next one's code,
-/// so an ID leaves when the next record is taken. Holds one node and a stack of 30. Paper section 5.2, after [LGS*09].
+/// left to close: about 1.5 clocks a leaf, 2 at worst. Whether a record is the last of its leaf is told by the next
+/// one, so its ID leaves when that is taken. Holds one node and a stack of 30. Paper section 5.2, after [LGS*09].
 template <class Bits>
 class HierarchyEmitter {
  public:

@@ -13,8 +13,10 @@ namespace cbvh::rtl {
 struct MergeConfig {
   std::uint64_t scratchpad_bytes = 256U << 10U;
   std::uint64_t minimum_buffer_records = 8;  ///< of a run, when as many runs as possible are merged
-  std::uint64_t refill_lines = 16;   ///< read one after the other for one run, if its buffer holds two such batches:
-                                     ///< fewer rows of DRAM are opened the more there are
+  /// Read one after the other for one run, if its buffer holds two such batches: the more, the fewer rows of DRAM are
+  /// opened. With 2, 4, 8 and 16 the merge of 106 runs takes 1.09, 1.06, 1.05 and 1.05 times the cycles that
+  /// LPDDR3-1600 is busy with its data, and more gain nothing.
+  std::uint64_t refill_lines = 16;
   std::uint64_t outstanding = 64;    ///< lines asked for and not here yet
   std::uint64_t table_runs = 16384;  ///< runs of a scene; 57 bits each
 

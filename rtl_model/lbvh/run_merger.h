@@ -16,11 +16,11 @@ namespace cbvh::rtl {
 /// there are more than can be merged at once, then first as few as must be are merged in groups of consecutive runs.
 /// These leave at `rewritten`, the end of each group marked last_of_run, that of the last group `last`; whoever writes
 /// them sends their descriptors to `runs`, again the last one marked. This is repeated while there are too many. Then
-/// the scene leaves at `sorted`.
+/// the scene leaves at `sorted`, and the runs of another one may come.
 ///
 /// Memories: the scratchpad and two records a run in the tournament (run_buffers.h), the tournament's keys, the table.
-/// Opening takes a clock a run; reads go out from the
-/// first one on. Paper sections 5.2 and 5.3, after [VKJ*15].
+/// Opening takes a clock a run; reads go out from the first one on. The first record leaves a clock a level of the
+/// tournament after the last run's first lines are here. Paper sections 5.2 and 5.3, after [VKJ*15].
 template <class Bits>
 class RunMerger {
  public:

@@ -34,7 +34,8 @@ constexpr rlim_t kSeconds = 60;
 /// The units whose sets are asked first: those the faulty part is closest to.
 std::vector<std::string> nearest_units(const Fault& fault) {
   if (fault.kind == Fault::Kind::decision)
-    return {"context_stack", "backtrack_unit", "lazy_treelet_collector", "stream_compressor", "run_sorter"};
+    return {"context_stack",     "backtrack_unit", "lazy_treelet_collector", "stream_compressor", "run_sorter",
+            "hierarchy_emitter", "run_merger"};
   switch (fault.datapath) {
     case rtl::Datapath::compress_axis:
       return {"axis_compressor"};
@@ -45,6 +46,11 @@ std::vector<std::string> nearest_units(const Fault& fault) {
     case rtl::Datapath::morton_frame:
     case rtl::Datapath::morton_code:
       return {"morton_encoder"};
+    case rtl::Datapath::unite_boxes:
+    case rtl::Datapath::common_prefix:
+      return {"hierarchy_emitter"};
+    case rtl::Datapath::merge_compare:
+      return {"run_merger"};
     case rtl::Datapath::reencode:
     case rtl::Datapath::invalidates:
       return {"backtrack_unit", "treelet_collector"};

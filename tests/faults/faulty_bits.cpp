@@ -53,10 +53,12 @@ Fault Fault::parse(const std::string& text) {
 
 std::vector<rtl::Corner> control_decisions() {
   using rtl::Corner;
-  return {Corner::stack_overflow,        Corner::stack_underflow,     Corner::collector_queue_full,
-          Corner::stream_stops_on_error, Corner::backtrack_recurses,  Corner::backtrack_both_children,
-          Corner::backtrack_stops,       Corner::combiner_merges,     Corner::combiner_flushes_for_read,
-          Corner::child_scale_changed,   Corner::child_lower_changed, Corner::sorter_next_run};
+  return {Corner::stack_overflow,        Corner::stack_underflow,        Corner::collector_queue_full,
+          Corner::stream_stops_on_error, Corner::backtrack_recurses,     Corner::backtrack_both_children,
+          Corner::backtrack_stops,       Corner::combiner_merges,        Corner::combiner_flushes_for_read,
+          Corner::child_scale_changed,   Corner::child_lower_changed,    Corner::sorter_next_run,
+          Corner::emitter_joins_leaf,    Corner::emitter_closes_several, Corner::merger_waits,
+          Corner::merger_half_line,      Corner::merger_rewrites};
 }
 
 }  // namespace cbvh::testing

@@ -90,9 +90,10 @@ struct MergeRun {
   bool finished = false;
 };
 
-/// The descriptors go in one after the other; whatever is rewritten is written to memory and described at once.
-inline MergeRun run_merge(const std::vector<SortedRun>& runs, const rtl::MergeConfig& config,
-                          const Disturbance& disturbance = {}, unsigned latency = 4, unsigned jitter = 0) {
+/// Scene after scene. The descriptors of one go in when the one before has left; whatever is rewritten is written to
+/// memory and described at once.
+inline MergeRun run_merges(const std::vector<std::vector<SortedRun>>& scenes, const rtl::MergeConfig& config,
+                           const Disturbance& disturbance = {}, unsigned latency = 4, unsigned jitter = 0) {
   rtl::Channel<rtl::RunDescriptor> descriptors;
   rtl::Channel<rtl::LineRequest> requests;
   rtl::Channel<rtl::LineData> answers;
@@ -112,14 +113,20 @@ inline MergeRun run_merge(const std::vector<SortedRun>& runs, const rtl::MergeCo
   RunStore store(memory.store);
   std::vector<rtl::RunDescriptor> waiting;
   std::size_t records = 0;
-  for (const SortedRun& run : runs) {
-    for (const auto& record : run) store.add(record);
-    waiting.push_back(store.end(&run == &runs.back()));
-    records += run.size();
+  auto scene = scenes.begin();
+  const auto store_scene = [&] {
+    for (const SortedRun& run : *scene) {
+      for (const auto& record : run) store.add(record);
+      waiting.push_back(store.end(&run == &scene->back()));
+    }
+  };
+  for (const auto& runs : scenes) {
+    for (const SortedRun& run : runs) records += run.size();
   }
   MergeRun result;
   result.rewritten.emplace_back();
   std::size_t sent = 0;
+  store_scene();
   const std::uint64_t deadline = 20000 + (100 + latency + jitter) * records;
   while (!result.finished && clock.cycle() < deadline) {
     if (!source.stalls() && sent < waiting.size() && descriptors.can_push()) descriptors.push(waiting[sent++]);
@@ -132,19 +139,16 @@ inline MergeRun run_merge(const std::vector<SortedRun>& runs, const rtl::MergeCo
     if (!sink.stalls() && sorted.can_pop()) {
       result.given.push_back(clock.cycle());
       result.sorted.push_back(sorted.pop());
-      result.finished = bool(result.sorted.back().last);
-    }
-    if (requests.can_pop() && requests.pushes() > result.lines_read.size()) {
-      result.lines_read.resize(requests.pushes());
+      if (result.sorted.back().last && ++scene != scenes.end()) store_scene();
+      result.finished = scene == scenes.end();
     }
     const std::uint64_t before = requests.pops();
-    const std::uint64_t line = requests.can_pop() ? requests.front().line.value() : 0;
     if (disturbance.shuffled_order) {
       clock.step_shuffled(order);
     } else {
       clock.step();
     }
-    if (requests.pops() > before) result.lines_read[before] = line;
+    if (requests.pops() > before) result.lines_read.push_back(requests.last_popped().line.value());
     result.most_under_way = std::max(result.most_under_way, requests.pushes() - answers.pops());
   }
   result.cycles = clock.cycle();
@@ -152,6 +156,11 @@ inline MergeRun run_merge(const std::vector<SortedRun>& runs, const rtl::MergeCo
   for (int drain = 0; drain < 64; ++drain) clock.step();
   result.finished = result.finished && !sorted.can_pop() && requests.pushes() == memory.reads;
   return result;
+}
+
+inline MergeRun run_merge(const std::vector<SortedRun>& runs, const rtl::MergeConfig& config,
+                          const Disturbance& disturbance = {}, unsigned latency = 4, unsigned jitter = 0) {
+  return run_merges({runs}, config, disturbance, latency, jitter);
 }
 
 }  // namespace cbvh::testing

@@ -22,7 +22,7 @@ enum EmitClass : std::size_t {
   kNeighbours,
   kLeavesOfSeveral,
   kRandomCodes,
-  kSameBox,
+  kNeighbouringFloats,
   kSeveralScenes
 };
 using Codes = std::vector<std::uint64_t>;
@@ -103,6 +103,16 @@ rtl::FloatBox any_box(Random& random) {
   return box;
 }
 
+/// Coordinates within two last places of -2 and -1.
+rtl::FloatBox neighbouring_box(Random& random) {
+  rtl::FloatBox box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.lower[axis] = rtl::Float32::of_raw(rtl::Float32::of(-2).raw() + random.below(3));
+    box.upper[axis] = rtl::Float32::of_raw(rtl::Float32::of(-1).raw() + random.below(3));
+  }
+  return box;
+}
+
 rtl::SceneRegisters any_registers(Random& random) {
   return {rtl::Scale(random.between(-149, 100)), rtl::UInt<1>(random.flip()), rtl::UInt<1>(random.flip())};
 }
@@ -111,11 +121,10 @@ void add_scene(std::size_t case_class, const rtl::SceneRegisters& registers, Ran
                std::vector<EmitStep>& steps) {
   Codes codes = codes_of(case_class, random);
   std::sort(codes.begin(), codes.end());
-  const rtl::FloatBox shared = any_box(random);
   for (const std::uint64_t code : codes) {
     EmitStep& step = steps.emplace_back();
-    step.item.record = {case_class == kSameBox ? shared : any_box(random), rtl::UInt<rtl::kMortonBits>(code),
-                        rtl::Pointer::of_raw(random.next())};
+    step.item.record = {case_class == kNeighbouringFloats ? neighbouring_box(random) : any_box(random),
+                        rtl::UInt<rtl::kMortonBits>(code), rtl::Pointer::of_raw(random.next())};
     step.registers = registers;
   }
   steps.back().item.last_of_run = steps.back().item.last = rtl::UInt<1>(1);

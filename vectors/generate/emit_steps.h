@@ -11,8 +11,9 @@
 namespace cbvh::vectors {
 
 inline constexpr std::array<std::string_view, 13> kEmitClasses = {
-    "single-record", "one-leaf",   "ends-of-the-curve", "right-spine",  "left-spine", "part-of-a-spine", "full-tree",
-    "few-codes",     "neighbours", "leaves-of-several", "random-codes", "same-box",   "several-scenes"};
+    "single-record", "one-leaf",  "ends-of-the-curve", "right-spine",       "left-spine",   "part-of-a-spine",
+    "full-tree",     "few-codes", "neighbours",        "leaves-of-several", "random-codes", "neighbouring-floats",
+    "several-scenes"};
 /// Scenes of sorted records.
 std::vector<EmitStep> make_emit_steps(std::size_t case_class, Random& random);
 

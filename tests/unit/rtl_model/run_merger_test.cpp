@@ -102,6 +102,24 @@ TEST(RunMerger, as_few_records_as_must_be_are_rewritten) {
   }
 }
 
+TEST(RunMerger, scenes_follow_each_other_whether_in_one_pass_or_in_several) {
+  std::vector<std::vector<SortedRun>> scenes;
+  for (const std::size_t count : {3U, 17U, 1U, 6U, 4U}) {
+    scenes.push_back(random_runs(random_sizes(count, 20, count), 100, count));
+  }
+  std::vector<SortRecord> want;
+  for (const auto& scene : scenes) {
+    const auto sorted = stable_sort_of(scene);
+    want.insert(want.end(), sorted.begin(), sorted.end());
+  }
+  for (const auto& disturbance : testing::stall_matrix()) {
+    const auto run = testing::run_merges(scenes, kFourRuns, disturbance, 4, 9);
+    ASSERT_TRUE(run.finished);
+    EXPECT_EQ(records_of(run.sorted), want);
+    EXPECT_EQ(marks(run.sorted, &SortItem::last), scenes.size());
+  }
+}
+
 TEST(RunMerger, a_record_leaves_every_clock_while_no_buffer_is_dry) {
   for (const std::size_t count : {1U, 2U, 3U, 50U, 106U, 512U}) {
     const auto runs = random_runs(std::vector<std::size_t>(count, 60000 / count), 1 << 30, count);
