@@ -34,8 +34,10 @@ constexpr rlim_t kSeconds = 60;
 /// The units whose sets are asked first: those the faulty part is closest to.
 std::vector<std::string> nearest_units(const Fault& fault) {
   if (fault.kind == Fault::Kind::decision)
-    return {"context_stack",     "backtrack_unit", "lazy_treelet_collector", "stream_compressor", "run_sorter",
-            "hierarchy_emitter", "run_merger"};
+    return {"context_stack",      "backtrack_unit",     "lazy_treelet_collector",
+            "stream_compressor",  "run_sorter",         "hierarchy_emitter",
+            "run_merger",         "node_writer",        "refit_walker",
+            "primitive_gatherer", "top_down_compressor"};
   switch (fault.datapath) {
     case rtl::Datapath::compress_axis:
       return {"axis_compressor"};
@@ -47,6 +49,7 @@ std::vector<std::string> nearest_units(const Fault& fault) {
     case rtl::Datapath::morton_code:
       return {"morton_encoder"};
     case rtl::Datapath::unite_boxes:
+      return {"hierarchy_emitter", "refit_walker"};
     case rtl::Datapath::common_prefix:
       return {"hierarchy_emitter"};
     case rtl::Datapath::merge_compare:

@@ -58,7 +58,9 @@ std::vector<rtl::Corner> control_decisions() {
           Corner::backtrack_stops,       Corner::combiner_merges,        Corner::combiner_flushes_for_read,
           Corner::child_scale_changed,   Corner::child_lower_changed,    Corner::sorter_next_run,
           Corner::emitter_joins_leaf,    Corner::emitter_closes_several, Corner::merger_waits,
-          Corner::merger_half_line,      Corner::merger_rewrites};
+          Corner::merger_half_line,      Corner::merger_rewrites,        Corner::writer_evicts,
+          Corner::writer_completes,      Corner::writer_forwards,        Corner::gatherer_misses,
+          Corner::top_down_parks};
 }
 
 }  // namespace cbvh::testing

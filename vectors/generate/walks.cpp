@@ -2,6 +2,7 @@
 #include "vectors/generate/walks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "vectors/generate/float_trees.h"
 
@@ -16,6 +17,7 @@ enum Class : std::size_t {
   kBalanced,
   kRandomShape,
   kBigLeaves,
+  kAdjacentBounds,
   kWrongChild,
   kWrongLeaf,
   kFlippedLeafBit,
@@ -74,6 +76,22 @@ PlainWalk shaped(TreeShape shape, int levels, int most, Random& random) {
   return walk_of(random_tree(shape, places, levels, random).finish(registers), most, random);
 }
 
+/// Bounds that differ in their last places only, of either sign.
+void bring_together(PlainWalk& walk, Random& random) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const float base = (axis == 2 ? 1.0F : -1.0F) * (1.0F + random.unit());
+    const auto near = [&](int places) {
+      float x = base;
+      for (; places > 0; --places) x = std::nextafter(x, 8.0F);
+      return x;
+    };
+    for (WalkPrimitive& primitive : walk.primitives) {
+      primitive.box.lower[axis] = near(random.between(0, 3));
+      primitive.box.upper[axis] = near(random.between(4, 7));
+    }
+  }
+}
+
 PlainWalk valid_walk(std::size_t case_class, Random& random) {
   const int levels = random.one_in(6) ? random.between(2, 31) : random.between(2, 5);
   switch (case_class) {
@@ -89,6 +107,11 @@ PlainWalk valid_walk(std::size_t case_class, Random& random) {
       return shaped(TreeShape::balanced, random.between(2, 3), 1, random);
     case kBigLeaves:
       return shaped(TreeShape::random, 3, 4, random);
+    case kAdjacentBounds: {
+      PlainWalk walk = shaped(TreeShape::random, 5, 2, random);
+      bring_together(walk, random);
+      return walk;
+    }
     default:
       return shaped(TreeShape::random, random.between(2, 5), 2, random);
   }

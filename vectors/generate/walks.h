@@ -17,10 +17,10 @@ struct PlainWalk {
   rtl::SceneRegisters registers;
 };
 
-inline constexpr std::array<std::string_view, 19> kWalkClasses = {
-    "single-pair",  "left-spine", "right-spine",      "pending-spine", "balanced",     "random-shape", "big-leaves",
-    "wrong-child",  "wrong-leaf", "flipped-leaf-bit", "ids-missing",   "unterminated", "more-ids",     "open-nodes",
-    "out-of-range", "not-finite", "too-deep",         "any-topology",  "two-trees"};
+inline constexpr std::array<std::string_view, 20> kWalkClasses = {
+    "single-pair",     "left-spine",   "right-spine", "pending-spine",    "balanced",     "random-shape", "big-leaves",
+    "adjacent-bounds", "wrong-child",  "wrong-leaf",  "flipped-leaf-bit", "ids-missing",  "unterminated", "more-ids",
+    "open-nodes",      "out-of-range", "not-finite",  "too-deep",         "any-topology", "two-trees"};
 /// One tree; of the last class one of two.
 PlainWalk make_walk(std::size_t case_class, Random& random);
 constexpr std::size_t kTwoWalksClass = kWalkClasses.size() - 1;
