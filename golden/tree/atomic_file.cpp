@@ -2,6 +2,7 @@
 #include "golden/tree/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -20,6 +21,9 @@ namespace {
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& path) : target(path) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+      throw InputError(path, "cannot be written: it exists and is not a regular file");
     static std::atomic<unsigned> serial{0};
     name = fmt::format("{}.{}-{}.tmp", path, getpid(), serial++);
     descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -6,7 +6,7 @@ source "$SOURCE/tests/end_to_end/command/expect.sh"
 expect 0 --version
 says out "cbvh 0."
 expect 0 --help
-for command in bench build check eval gen help merge regress units validate; do
+for command in bench build check eval gen help merge refit regress sim units validate; do
   says out "$command"
   expect 0 "$command" --help
   expect 0 help "$command"
