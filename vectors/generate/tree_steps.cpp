@@ -186,7 +186,7 @@ std::vector<RefitStep> make_refit_steps(std::size_t case_class, Random& random) 
     const WalkPrimitive& primitive = walk.primitives[i];
     std::vector<std::uint32_t> words = triangle(primitive.box, ids[i], case_class == kNegativeZero, random);
     if (!primitive.finite) words[random.below(9)] = random.flip() ? 0x7FC00001 : 0xFF800000;
-    std::copy(words.begin(), words.end(), primitives.begin() + ids[i] * 10);
+    std::copy(words.begin(), words.end(), primitives.begin() + std::ptrdiff_t{ids[i]} * 10);
     const std::uint32_t id = primitive.in_range ? ids[i] : static_cast<std::uint32_t>(count + random.below(3));
     entries.push_back(id | (primitive.last_of_leaf ? 1U << 31 : 0));
   }

@@ -247,7 +247,7 @@ TEST(NodeWriter, streamed_tree_in_memory_equals_the_packed_top_down_tree) {
   for (const auto& disturbance : testing::stall_matrix()) {
     for (const auto code : {Code::modulo, Code::relative}) {
       for (const int levels : {1, 2, 4}) {
-        const std::size_t held_lines = std::size_t{1} << (levels + disturbance.seed % 3);
+        const std::size_t held_lines = std::size_t{1} << (static_cast<unsigned>(levels) + disturbance.seed % 3);
         EXPECT_TRUE(stream_to_memory<6>(small_cloth(), code, levels, held_lines, disturbance, 6, 9).finished);
         EXPECT_TRUE(stream_to_memory<3>(small_cloth(), code, levels, held_lines, disturbance, 30, 1).finished);
         if (::testing::Test::HasFailure()) return;
