@@ -1,40 +1,16 @@
 #!/usr/bin/env bash
 # Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 # `cbvh build` gives the reference results for every row of table.txt, both codes, D = 1..4 and both collectors, streamed by the C++ modules.
-# Rows of files need the folder $CBVH_SCENES; without it they are said to be skipped. $REFERENCE_SCENES may name other scenes to check.
 set -euo pipefail
-here=$SOURCE/tests/end_to_end/reference
-passed=0
-failed=0
-skipped=0
+source "$SOURCE/tests/end_to_end/reference/rows.sh"
 
-# expect NAME FOUND WANTED
-expect() {
-  if [[ $2 == "$3" ]]; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "FAILED $what: $1 is $2, want $3"
-  fi
-}
-# field KEY: of the JSON in result.json, lists without brackets.
-field() {
-  tr -d ' \n' < result.json | sed -n 's/.*"'"$1"'":\(\[[^]]*\]\|"[^"]*"\|[^,}]*\).*/\1/p' | tr -d '[]"'
-}
-
-while read -r scene rule triangles leaves pairs e_min root digest relative modulo; do
-  [[ $scene == \#* || $scene == independent ]] && continue
-  file=$scene
-  if [[ $scene != proc:* ]]; then
-    file=${CBVH_SCENES:-/nowhere}/$scene
-    [[ -e $file ]] || { skipped=$((skipped + 1)); continue; }
-  fi
+check_row() {
   for code in relative modulo; do
-    IFS=, read -r -a backtracks <<< "${!code}"
+    IFS=, read -r -a backtracks <<<"${!code}"
     for levels in 1 2 3 4; do
       for collector in full lazy; do
         what="$scene $rule $code D=$levels $collector"
-        "$CBVH" build "$file" --code $code --treelet $levels --scale-rule "$rule" --collector $collector --json result.json > /dev/null
+        "$CBVH" build "$file" --code $code --treelet $levels --scale-rule "$rule" --collector $collector --json result.json >/dev/null
         expect triangles "$(field triangles)" "$triangles"
         expect leaves "$(field leaves)" "$leaves"
         expect pairs "$(field pairs)" "$pairs"
@@ -50,7 +26,5 @@ while read -r scene rule triangles leaves pairs e_min root digest relative modul
       done
     done
   done
-done < "$here/table.txt"
-((skipped == 0)) || echo "skipped: $skipped rows, their scenes are not in CBVH_SCENES"
-echo "$passed passed, $failed failed"
-((failed == 0 && passed > 0))
+}
+for_each_row check_row
