@@ -1,4 +1,5 @@
-# cmake -DOUTPUT=x.cpp -DFILES=a|b -P embed.cmake: writes committed_sets(), which holds the bytes of the files.
+# cmake -DOUTPUT=x.cpp -DFILES=a|b -DHEADER=h -DTYPE=T -DFUNCTION=f -P embed.cmake: writes f(), which gives a T for each file: its name
+# and its bytes. HEADER declares both.
 string(REPLACE | ";" files "${FILES}")
 set(arrays "")
 set(entries "")
@@ -8,15 +9,15 @@ foreach(file IN LISTS files)
   file(READ ${file} hex HEX)
   string(REGEX REPLACE "(..)" "0x\\1," bytes "${hex}")
   string(REGEX REPLACE "((0x..,)(0x..,)?(0x..,)?(0x..,)?(0x..,)?(0x..,)?(0x..,)?(0x..,)?)" "\\1\n" bytes "${bytes}")
-  string(APPEND arrays "const unsigned char kSet${number}[] = {\n${bytes}};\n")
-  string(APPEND entries "      {\"${name}\", {reinterpret_cast<const char*>(kSet${number}), sizeof(kSet${number})}},\n")
+  string(APPEND arrays "const unsigned char kFile${number}[] = {\n${bytes}};\n")
+  string(APPEND entries "      {\"${name}\", {reinterpret_cast<const char*>(kFile${number}), sizeof(kFile${number})}},\n")
   math(EXPR number "${number} + 1")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"testbench/regression/committed_sets.h\"
+file(WRITE ${OUTPUT} "#include \"${HEADER}\"
 namespace cbvh::testbench {
 namespace {
 ${arrays}}  // namespace
-std::vector<CommittedSet> committed_sets() {
+std::vector<${TYPE}> ${FUNCTION}() {
   return {
 ${entries}  };
 }

@@ -2,6 +2,7 @@
 #include "testbench/backend/backend.h"
 
 #include "testbench/unavailable.h"
+#include "vectors/registry.h"
 
 namespace cbvh::testbench {
 
@@ -20,6 +21,16 @@ std::unique_ptr<Backend> make_backend(const std::string& name) {
     return backend;
   }
   throw golden::InputError("--backend", fmt::format("unknown '{}', known: {}", name, fmt::join(backend_names(), ", ")));
+}
+
+void require_unit(const Backend& backend, const vectors::UnitDescription& unit) {
+  if (backend.has(unit)) return;
+  std::vector<std::string_view> names;
+  for (const vectors::UnitDescription& other : vectors::units()) {
+    if (backend.has(other)) names.push_back(other.name);
+  }
+  throw Unavailable(
+      fmt::format("backend {}: has no unit '{}', only: {}", backend.name(), unit.name, fmt::join(names, ", ")));
 }
 
 }  // namespace cbvh::testbench

@@ -11,7 +11,7 @@
 
 namespace cbvh::testbench {
 
-/// Whoever takes stimuli and gives responses: the golden, the C++ modules, later the gateware and a board.
+/// Whoever takes stimuli and gives responses: the golden, the C++ modules, the gateware, later a board.
 class Backend {
  public:
   virtual ~Backend() = default;
@@ -21,6 +21,9 @@ class Backend {
   virtual bool has(const vectors::UnitDescription& unit) const = 0;
   /// Empty, or why it cannot run here and now: the command then exits 77.
   virtual std::string why_unavailable() const { return {}; }
+  /// Whether its channels can be made to stall, and its modules be evaluated in another order.
+  virtual bool stalls() const { return true; }
+  virtual bool shuffles() const { return false; }
   /// Runs every case of the set. May be called by several threads at once.
   virtual Responses run(const vectors::VectorSet& set, const RunOptions& options) const = 0;
 };
@@ -32,5 +35,7 @@ std::vector<MakeBackend*> all_backends();
 /// Throws InputError naming the backends when there is none of this name, Unavailable when it cannot run.
 std::unique_ptr<Backend> make_backend(const std::string& name);
 std::vector<std::string> backend_names();
+/// Throws Unavailable, naming the units it has, when the backend lacks one of this name.
+void require_unit(const Backend& backend, const vectors::UnitDescription& unit);
 
 }  // namespace cbvh::testbench

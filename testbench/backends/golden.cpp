@@ -13,6 +13,7 @@ class GoldenBackend final : public Backend {
  public:
   std::string name() const override { return "golden"; }
   bool has(const vectors::UnitDescription&) const override { return true; }
+  bool stalls() const override { return false; }
 
   Responses run(const vectors::VectorSet& set, const RunOptions&) const override {
     Responses responses(set.response_codec().object_size);

@@ -11,6 +11,7 @@ class RtlBackend final : public Backend {
  public:
   std::string name() const override { return "rtl"; }
   bool has(const vectors::UnitDescription& unit) const override { return find(unit) != nullptr; }
+  bool shuffles() const override { return true; }
 
   Responses run(const vectors::VectorSet& set, const RunOptions& options) const override {
     const UnitDriver* driver = find(set.unit());

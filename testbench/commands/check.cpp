@@ -60,9 +60,11 @@ std::vector<std::shared_ptr<vectors::VectorSet>> read_pieces(const Options& opti
 PlannedSet plan_backend(const Options& options, const std::string& backend,
                         const std::vector<std::shared_ptr<vectors::VectorSet>>& pieces) {
   PlannedSet plan;
-  plan.run.stalls = backend == "golden" ? Stalls::none : parse_stalls(options.stalls);
+  const auto runs = make_backend(backend);
+  require_unit(*runs, pieces[0]->unit());
+  if (runs->stalls()) plan.run.stalls = parse_stalls(options.stalls);
   plan.run.stall_seed = pieces[0]->seed();
-  if (backend != "golden") plan.run.shuffle = options.shuffle;
+  if (runs->shuffles()) plan.run.shuffle = options.shuffle;
   plan.report.unit = pieces[0]->unit().name;
   plan.report.set = options.file;
   plan.report.backend = backend;
@@ -80,7 +82,10 @@ PlannedSet plan_backend(const Options& options, const std::string& backend,
 
 int run(const Options& options) {
   parse_stalls(options.stalls);
-  make_backend(options.backend);
+  const auto backend = make_backend(options.backend);
+  if (options.shuffle && !backend->shuffles()) {
+    throw golden::InputError("--shuffle", fmt::format("backend {} has no order of evaluation", options.backend));
+  }
   const auto pieces = read_pieces(options);
   if (options.dump_case && options.only) options.output.text(vectors::serialize(*pieces[0], vectors::Format::text));
   Report report;

@@ -53,13 +53,13 @@ Json unit_to_json(const vectors::UnitDescription& unit) {
 
 int run(const Options& options) {
   if (!options.unit.empty()) vectors::find_unit(options.unit);
-  std::string text = fmt::format("{:<28} {:<14} {:>8} {:>8}  {:<40} {}\n", "unit", "faces", "stimulus", "response",
+  std::string text = fmt::format("{:<28} {:<20} {:>8} {:>8}  {:<40} {}\n", "unit", "faces", "stimulus", "response",
                                  "latency", "summary");
   Json all = Json::array();
   for (const vectors::UnitDescription& unit : vectors::units()) {
     if (!options.unit.empty() && unit.name != options.unit) continue;
     const Json& json = all.emplace_back(unit_to_json(unit));
-    text += fmt::format("{:<28} {:<14} {:>8} {:>8}  {:<40} {}\n", unit.name,
+    text += fmt::format("{:<28} {:<20} {:>8} {:>8}  {:<40} {}\n", unit.name,
                         fmt::format("{}", fmt::join(faces_of(unit), ",")), json["stimulus"].size(),
                         json["response"].size(), unit.latency_text, unit.summary);
     if (!options.unit.empty())

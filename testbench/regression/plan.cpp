@@ -174,12 +174,15 @@ std::string rerun_line(const RegressionOptions& options, const PlannedSet& set) 
 std::vector<PlannedSet> make_plan(const RegressionOptions& options) {
   const Suite& suite = find_suite(options.suite);
   for (const std::string& unit : options.units) vectors::find_unit(unit);
-  const std::vector<RunOptions> modes = modes_of(suite, options);
+  const std::vector<RunOptions> all_modes = modes_of(suite, options);
   std::vector<Scene> scenes;
   for (const std::string& spec : options.scenes.empty() ? suite.scenes : options.scenes) scenes.push_back(load(spec));
   std::vector<PlannedSet> plan;
   for (const std::string& name : options.backends.empty() ? std::vector<std::string>{"rtl"} : options.backends) {
     const auto backend = make_backend(name);
+    for (const std::string& unit : options.units) require_unit(*backend, vectors::find_unit(unit));
+    std::vector<RunOptions> modes = all_modes;
+    if (!backend->shuffles()) std::erase_if(modes, [](const RunOptions& mode) { return mode.shuffle.has_value(); });
     for (const vectors::UnitDescription& unit : vectors::units()) {
       if (!options.wants(unit.name) || !backend->has(unit)) continue;
       const std::uint64_t cases = unit.stateful ? suite.stateful_cases : suite.stateless_cases;

@@ -14,13 +14,19 @@
 namespace cbvh::testbench {
 
 /// The seeds of the two ends differ, and differ between cases.
+constexpr std::uint64_t source_seed(const RunOptions& options, std::uint64_t number) {
+  return options.stall_seed * 2 + number * 0x9E37;
+}
+constexpr std::uint64_t sink_seed(const RunOptions& options, std::uint64_t number) {
+  return source_seed(options, number) + 1;
+}
 inline rtl::StallPattern source_stalls(const RunOptions& options, std::uint64_t number) {
   const bool stalls = options.stalls == Stalls::source || options.stalls == Stalls::both;
-  return stalls ? rtl::StallPattern::bursts(options.stall_seed * 2 + number * 0x9E37) : rtl::StallPattern::never();
+  return stalls ? rtl::StallPattern::bursts(source_seed(options, number)) : rtl::StallPattern::never();
 }
 inline rtl::StallPattern sink_stalls(const RunOptions& options, std::uint64_t number) {
   const bool stalls = options.stalls == Stalls::sink || options.stalls == Stalls::both;
-  return stalls ? rtl::StallPattern::bursts(options.stall_seed * 2 + 1 + number * 0x9E37) : rtl::StallPattern::never();
+  return stalls ? rtl::StallPattern::bursts(sink_seed(options, number)) : rtl::StallPattern::never();
 }
 
 /// Pushes stimuli as fast as it is let.
