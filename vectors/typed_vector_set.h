@@ -174,7 +174,7 @@ UnitDescription describe_texts() {
 template <template <int> class UnitOf>
 UnitDescription describe_unit_of_bits() {
   UnitDescription unit = detail::describe_texts<UnitOf<6>>();
-  unit.bits = {2, 3, 4, 5, 6, 7, 8};
+  unit.bits.assign(kBuiltBits.begin(), kBuiltBits.end());
   unit.stimulus = [](int bits) -> const PayloadCodec& {
     return with_bits(bits, [](auto n) -> const PayloadCodec& {
       return payload_codec<typename UnitOf<decltype(n)::value>::Stimulus>();

@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -63,26 +64,36 @@ struct StatelessUnit {
   }
 };
 
+/// The N that this build has. With CBVH_FEW_BITS the even ones stand for all: for builds that are slow and look for
+/// something that does not depend on N.
+#ifdef CBVH_FEW_BITS
+inline constexpr std::array kBuiltBits = {2, 4, 6, 8};
+#else
+inline constexpr std::array kBuiltBits = {2, 3, 4, 5, 6, 7, 8};
+#endif
+
 /// Calls f(std::integral_constant<int, N>) for N = bits.
 template <class F>
 decltype(auto) with_bits(int bits, F&& f) {
   switch (bits) {
     case 2:
       return f(std::integral_constant<int, 2>());
-    case 3:
-      return f(std::integral_constant<int, 3>());
     case 4:
       return f(std::integral_constant<int, 4>());
-    case 5:
-      return f(std::integral_constant<int, 5>());
     case 6:
       return f(std::integral_constant<int, 6>());
-    case 7:
-      return f(std::integral_constant<int, 7>());
     case 8:
       return f(std::integral_constant<int, 8>());
+#ifndef CBVH_FEW_BITS
+    case 3:
+      return f(std::integral_constant<int, 3>());
+    case 5:
+      return f(std::integral_constant<int, 5>());
+    case 7:
+      return f(std::integral_constant<int, 7>());
+#endif
     default:
-      throw golden::InputError("bits", fmt::format("found {}, want 2..8", bits));
+      throw golden::InputError("bits", fmt::format("found {}, want {}", bits, fmt::join(kBuiltBits, ", ")));
   }
 }
 

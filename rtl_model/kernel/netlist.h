@@ -39,7 +39,7 @@ class Netlist {
   template <class Design>
   void add(const Design& design) {
     design.channels([this](const char* name, const char* producer, const char* consumer, const auto& channel) {
-      add(name, producer, consumer, channel);
+      this->add(name, producer, consumer, channel);
     });
   }
 

@@ -59,12 +59,14 @@ StreamTrace<N> run_stream(Collector collector, int levels, std::span<const rtl::
   template StreamTrace<N> run_stream<N>(Collector, int, std::span<const rtl::StreamJob>, const RunOptions&, \
                                         std::uint64_t, bool);
 CBVH_INSTANTIATE(2)
-CBVH_INSTANTIATE(3)
 CBVH_INSTANTIATE(4)
-CBVH_INSTANTIATE(5)
 CBVH_INSTANTIATE(6)
-CBVH_INSTANTIATE(7)
 CBVH_INSTANTIATE(8)
+#ifndef CBVH_FEW_BITS
+CBVH_INSTANTIATE(3)
+CBVH_INSTANTIATE(5)
+CBVH_INSTANTIATE(7)
+#endif
 #undef CBVH_INSTANTIATE
 
 }  // namespace cbvh::testbench

@@ -107,12 +107,16 @@ SimResult simulate_top_down(const LbvhJob& job);
 template <class F>
 SimResult with_simulated_bits(unsigned bits, F&& f) {
   switch (bits) {
+#ifndef CBVH_FEW_BITS
     case 4:
       return f(std::integral_constant<int, 4>());
     case 5:
       return f(std::integral_constant<int, 5>());
-    default:
+#endif
+    case 6:
       return f(std::integral_constant<int, 6>());
+    default:
+      throw golden::InputError("bits", fmt::format("found {}: this build simulates no such machine", bits));
   }
 }
 

@@ -98,8 +98,12 @@ std::vector<std::uint64_t> ids_of(std::size_t case_class, Random& random) {
 
 std::vector<GatherStep> make_gather_steps(std::size_t case_class, Random& random) {
   Writer writer(random);
-  writer.array(random.below(1000), ids_of(case_class, random));
-  if (case_class == kTwoArrays) writer.array(5000 + random.below(1000), ids_of(kNeighbours, random));
+  const auto ids = ids_of(case_class, random);
+  writer.array(random.below(1000), ids);
+  if (case_class == kTwoArrays) {
+    const auto more = ids_of(kNeighbours, random);
+    writer.array(5000 + random.below(1000), more);
+  }
   return writer.steps();
 }
 

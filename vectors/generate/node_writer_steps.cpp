@@ -77,7 +77,8 @@ std::vector<PlainWriterStep> make_writer_steps(std::size_t case_class, Random& r
       break;
     case kEviction:  // the same place for all
       for (std::uint64_t i = 0; i < count; ++i) {
-        writer.write(first + random.below(3) * kWriterLines, 1 + random.below(14));
+        const auto mask = 1 + random.below(14);
+        writer.write(first + random.below(3) * kWriterLines, mask);
       }
       break;
     case kReadHeld:

@@ -93,7 +93,8 @@ std::vector<rtl::SortItem> make_sort_items(std::size_t case_class, Random& rando
       break;
     case kSeveralScenes:
       for (int scenes = random.between(2, 4); scenes-- > 0;) {
-        add_scene(random.below(kOrders), 1 + random.below(2 * capacity), random, items);
+        const std::size_t count = 1 + random.below(2 * capacity);
+        add_scene(random.below(kOrders), count, random, items);
       }
       break;
     default:

@@ -174,7 +174,7 @@ TEST(MortonEncoder, has_latency_36_and_a_result_every_cycle_and_stalls_change_no
 
 TEST(MortonEncoder, tells_the_first_primitive_that_was_refused) {
   auto boxes = random_boxes(50);
-  for (const std::size_t i : {20, 30}) {
+  for (const std::size_t i : {20U, 30U}) {
     boxes[i].box = {};
     boxes[i].status = StatusBits(static_cast<std::uint64_t>(Status::not_finite));
   }

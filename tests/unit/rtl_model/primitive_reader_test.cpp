@@ -60,7 +60,7 @@ Observed read(std::size_t count, unsigned outstanding, const testing::Disturbanc
 }
 
 TEST(PrimitiveReader, gives_every_primitive_once_and_reads_every_line_once_whatever_stalls) {
-  for (const std::size_t count : {1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 17, 100, 803}) {
+  for (const std::size_t count : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 16U, 17U, 100U, 803U}) {
     for (const auto& disturbance : testing::stall_matrix(count)) {
       for (const unsigned outstanding : {1U, 2U, 32U}) {
         const Observed observed = read(count, outstanding, disturbance);

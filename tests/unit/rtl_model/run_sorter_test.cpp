@@ -119,7 +119,7 @@ testing::Observed<SortItem> sort(const std::vector<SortItem>& items, std::size_t
 TEST(RunSorter, does_replacement_selection_and_its_runs_merge_to_the_stable_sort_whatever_stalls) {
   SplitMix64 random(9);
   std::size_t runs = 0;
-  for (const std::size_t capacity : {2, 3, 4, 7, 16, 100}) {
+  for (const std::size_t capacity : {2U, 3U, 4U, 7U, 16U, 100U}) {
     for (const Shape shape : kShapes) {
       for (const std::size_t count :
            {std::size_t{1}, std::size_t{2}, capacity - 1, capacity, capacity + 1, 2 * capacity, 20 * capacity + 3}) {
@@ -142,7 +142,7 @@ TEST(RunSorter, sorts_scene_after_scene) {
   SplitMix64 random(10);
   std::vector<SortItem> items;
   std::vector<SortItem> want;
-  for (const std::size_t count : {1, 5, 8, 9, 40, 3, 80, 1, 1, 16}) {
+  for (const std::size_t count : {1U, 5U, 8U, 9U, 40U, 3U, 80U, 1U, 1U, 16U}) {
     const auto scene = items_of(codes_of(Shape::few_codes, count, random));
     const auto sorted = expected_runs(scene, 8);
     items.insert(items.end(), scene.begin(), scene.end());
@@ -170,7 +170,7 @@ TEST(RunSorter, makes_one_run_of_sorted_records_and_runs_of_twice_its_capacity_o
 
 TEST(RunSorter, takes_n_plus_the_smaller_of_n_and_capacity_clocks) {
   SplitMix64 random(12);
-  for (const std::size_t capacity : {2, 16, 100}) {
+  for (const std::size_t capacity : {2U, 16U, 100U}) {
     for (const std::size_t count : {std::size_t{1}, capacity, 4 * capacity + 1}) {
       const auto observed = sort(items_of(codes_of(Shape::random, count, random)), capacity, {});
       const std::size_t filled = std::min(count, capacity);

@@ -94,7 +94,7 @@ TEST(ReaderErrors, the_header_says_what_the_file_is) {
   EXPECT_EQ(header_error("scale_estimator", "scale"),
             "bunny.vec:1:23: unit: unknown unit 'scale', want one of " + names);
   EXPECT_EQ(header_error("bits=6", "bits=9"),
-            "bunny.vec:1:44: bits: found 9, want 2, 3, 4, 5, 6, 7, 8 for scale_estimator");
+            fmt::format("bunny.vec:1:44: bits: found 9, want {} for scale_estimator", fmt::join(kBuiltBits, ", ")));
   EXPECT_EQ(header_error("treelet=1", "treelet=2"), "bunny.vec:1:44: treelet: found 2, want 1 for scale_estimator");
   EXPECT_EQ(header_error(">scale:lower", ">scale:floor"),
             "bunny.vec:1:145: the fields of scale_estimator are "
