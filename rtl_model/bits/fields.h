@@ -58,6 +58,12 @@ template <std::size_t Size>
 std::string element_name(std::size_t index) {
   return Size == 3 ? std::string(1, static_cast<char>('x' + index)) : std::to_string(index);
 }
+
+inline std::string joined(std::string path, const std::string& name) {
+  if (!path.empty()) path += '_';
+  path += name;
+  return path;
+}
 }  // namespace detail
 
 /// Calls visit(leaf) for every leaf of the payload, in the order of the field lists. Nested payloads and arrays are
@@ -83,12 +89,12 @@ void visit_named_leaves(T& value, Visit&& visit, const std::string& path = {}) {
     std::size_t index = 0;
     for (auto& element : value) {
       const auto name = detail::element_name<std::tuple_size_v<std::remove_const_t<T>>>(index++);
-      visit_named_leaves(element, visit, path.empty() ? name : path + "_" + name);
+      visit_named_leaves(element, visit, detail::joined(path, name));
     }
   } else {
     std::apply(
         [&](auto... field) {
-          (visit_named_leaves(value.*field.member, visit, path.empty() ? field.name : path + "_" + field.name), ...);
+          (visit_named_leaves(value.*field.member, visit, detail::joined(path, field.name)), ...);
         },
         std::remove_const_t<T>::fields());
   }

@@ -32,6 +32,7 @@ inline ModuleAccesses module_accesses(const std::vector<rtl::NamedPort>& ports, 
 }
 inline std::vector<rtl::LinePort> unnamed(const std::vector<rtl::NamedPort>& ports) {
   std::vector<rtl::LinePort> result;
+  result.reserve(ports.size());
   for (const rtl::NamedPort& port : ports) result.push_back(port.port);
   return result;
 }

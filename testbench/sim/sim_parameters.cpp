@@ -53,8 +53,7 @@ SimParameter min_scale() {
           }};
 }
 
-#define CBVH_FIELD(field) \
-  [](auto& config) -> auto& { return config.field; }
+#define CBVH_FIELD(field) ([](auto& config) -> auto& { return config.field; })
 
 }  // namespace
 
