@@ -116,6 +116,7 @@ std::string gateware_constants() {
   define_status(text, "overflow", rtl::Status::overflow);
   define_status(text, "underflow", rtl::Status::underflow);
   define_payload<rtl::SceneRegisters>(text, "scene_registers");
+  define_payload<rtl::AxisContext>(text, "axis_context");
   define_payload<rtl::Context>(text, "context");
   define_payload<rtl::AxisJob>(text, "axis_job");
   define_payload<rtl::AxisResult<2>, rtl::AxisResult<3>>(text, "axis_result");

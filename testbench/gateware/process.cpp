@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,10 +15,21 @@
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace cbvh::testbench {
 
 namespace fs = std::filesystem;
+
+namespace {
+thread_local double program_seconds = 0;
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
+}  // namespace
+
+double take_program_seconds() { return std::exchange(program_seconds, 0.0); }
 
 TemporaryFolder::TemporaryFolder() {
   std::string name = (fs::temp_directory_path() / "cbvh_gateware.XXXXXX").string();
@@ -55,9 +67,11 @@ int run_program(const std::vector<std::string>& command, const std::string& outp
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) throw std::runtime_error(fmt::format("{}: {}", command[0], std::strerror(error)));
   int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
+  rusage usage{};
+  while (wait4(child, &status, 0, &usage) < 0) {
     if (errno != EINTR) throw std::system_error(errno, std::generic_category(), command[0]);
   }
+  program_seconds += seconds(usage.ru_utime) + seconds(usage.ru_stime);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -27,4 +27,7 @@ bool program_exists(const std::string& name);
 /// signal. Throws std::runtime_error when it cannot be started.
 int run_program(const std::vector<std::string>& command, const std::string& output_file);
 
+/// Processor time of the programs that this thread has run since the last call.
+double take_program_seconds();
+
 }  // namespace cbvh::testbench

@@ -3,6 +3,7 @@
 
 #include <ctime>
 
+#include "testbench/gateware/process.h"
 #include "testbench/parallel.h"
 #include "testbench/progress.h"
 #include "testbench/rtl/counting_bits.h"
@@ -51,9 +52,10 @@ void run_plan(const std::vector<PlannedSet>& plan, const RegressionOptions& opti
     parallel_for(pieces.size(), options.threads, [&](std::size_t i) {
       Piece& piece = pieces[i];
       take_corner_counts();  // of whatever the thread did before
+      take_program_seconds();
       const double start = thread_seconds();
       plan[piece.set].work(piece.ids, piece.found);
-      piece.found.seconds = thread_seconds() - start;
+      piece.found.seconds = thread_seconds() - start + take_program_seconds();
       piece.corners = take_corner_counts();
       progress.step();
     });

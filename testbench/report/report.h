@@ -43,7 +43,7 @@ struct SetReport {
   std::uint64_t checks = 0;    ///< response fields and latencies compared
   std::uint64_t failures = 0;  ///< of the checks
   std::uint64_t cycles = 0;    ///< simulated; 0 for a backend without a clock
-  double seconds = 0;          ///< processor time, summed over threads
+  double seconds = 0;          ///< processor time, summed over threads and the programs they run
   Bins classes;
   std::vector<Mismatch> mismatches;  ///< the first few, by case
 

@@ -39,7 +39,7 @@ done
 for tool in verilator yosys; do command -v $tool >/dev/null || echo "skipped: lint by $tool, which is not installed"; done
 
 # Vectors: all twins, all kinds of stalls; the same counts as the C++ modules.
-twins=(axis_compressor scale_estimator context_stack)
+twins=(axis_compressor scale_estimator node_pair_compressor context_stack)
 for unit in "${twins[@]}"; do
   expect 0 units "$unit"
   says out "gateware,golden,rtl"
@@ -84,6 +84,10 @@ mutant axis_compressor skid_buffer.v 's/out_data  = head ?/out_data  = ~head ?/'
 mutant scale_estimator scale_estimator.v 's/LEAST_ZEROS\[5:0\] - /LEAST_ZEROS[5:0] - 6'"'"'d1 - /'
 mutant scale_estimator scale_estimator.v 's/figure5_2     <= figure5_1/figure5_2     <= ~figure5_1/'
 mutant scale_estimator scale_estimator.v 's/too_fine ? lower_cell >>> 1/too_fine ? lower_cell/'
+mutant node_pair_compressor node_pair_compressor.v 's/context_5  <= context_4/context_5  <= context_3/'
+mutant node_pair_compressor union_axis.v 's/order_key(left_upper) < /order_key(left_upper) > /'
+mutant node_pair_compressor first_reason.v 's/reason < first/reason > first/'
+mutant node_pair_compressor node_pair_compressor.v 's/relative_4 <= .*/relative_4 <= relative_5;/'
 mutant context_stack context_stack.v 's/push \& ~underflow \& (kept == /push \& (depth == /'
 mutant context_stack context_stack.v 's/second = depth\[4:0\] - 5.d2/second = depth[4:0] - 5'"'"'d1/'
 mutant context_stack context_stack.v 's/depth <= depth_next/depth <= depth/'
