@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "rtl_model/datapath/payloads.h"
+#include "vectors/payloads.h"
 
 namespace cbvh::testbench {
 
@@ -105,6 +105,8 @@ std::string gateware_constants() {
   define(text, "index_bits", fmt::format("{}", rtl::kIndexBits));
   define(text, "pointer_bits", fmt::format("{}", rtl::kPointerBits));
   define(text, "status_bits", fmt::format("{}", rtl::StatusBits::kWidth));
+  define(text, "pairs_per_line", fmt::format("{}", rtl::kPairsPerLine));
+  define(text, "line_bits", fmt::format("{}", rtl::kLineBits));
   define(text, "context_stack_depth", fmt::format("{}", rtl::kContextStackDepth));
   text += "\n";
   define_status(text, "ok", rtl::Status::ok);
@@ -126,6 +128,18 @@ std::string gateware_constants() {
   define_payload<rtl::PairResult<2>, rtl::PairResult<3>>(text, "pair_result");
   define_payload<rtl::StackOperation>(text, "stack_operation");
   define_payload<rtl::StackReply>(text, "stack_reply");
+  define_payload<rtl::FloatPair>(text, "float_pair");
+  define_payload<rtl::NodeCodes<2>, rtl::NodeCodes<3>>(text, "node_codes");
+  define_payload<rtl::NodePair<2>, rtl::NodePair<3>>(text, "node_pair");
+  define_payload<rtl::RepairJob>(text, "repair_job");
+  define_payload<rtl::MemoryRequest<2>, rtl::MemoryRequest<3>>(text, "memory_request");
+  define_payload<rtl::MemoryLine<2>, rtl::MemoryLine<3>>(text, "memory_line");
+  define_payload<rtl::StreamJob>(text, "stream_job");
+  define_payload<rtl::FinalPair<2>, rtl::FinalPair<3>>(text, "final_pair");
+  define_payload<rtl::StreamReport>(text, "stream_report");
+  define_payload<vectors::BacktrackStep<2>, vectors::BacktrackStep<3>>(text, "backtrack_step");
+  define_payload<vectors::BacktrackEvent<2>, vectors::BacktrackEvent<3>>(text, "backtrack_event");
+  define_payload<vectors::StreamEvent<2>, vectors::StreamEvent<3>>(text, "stream_event");
   return text + "\n`endif\n";
 }
 

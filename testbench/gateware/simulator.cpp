@@ -2,6 +2,7 @@
 #include "testbench/gateware/simulator.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -16,6 +17,7 @@
 #include "testbench/gateware/process.h"
 #include "testbench/gateware/sources.h"
 #include "testbench/output.h"
+#include "testbench/rtl/memory_port.h"
 #include "testbench/rtl/ports.h"
 #include "testbench/rtl/run.h"
 
@@ -38,14 +40,41 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (!file) throw golden::InputError(path, "cannot be written");
 }
 
-/// Compiled models: one a unit, N and size of memory.
+std::string harness_name(const vectors::UnitDescription& unit) { return fmt::format("{}_harness", unit.name); }
+
+bool holds(const std::vector<GatewareSource>& sources, const std::string& file) {
+  return std::any_of(sources.begin(), sources.end(), [&](const auto& source) { return source.name == file; });
+}
+
+/// Whether the unit has a memory port, and so runs inside a module of fpga/gateware/harness/.
+bool has_harness(const vectors::UnitDescription& unit) { return holds(gateware_benches(), harness_name(unit) + ".v"); }
+
+/// The lines of memory that an episode can fill, as a power of two: no index is beyond the number of its stimuli.
+int lines_log2(const vectors::VectorSet& set) {
+  constexpr std::size_t kFewestLines = 256;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < set.size(); ++i) most = std::max(most, set.stimulus_range(i).size);
+  return static_cast<int>(std::bit_width(std::max(kFewestLines, most / rtl::kPairsPerLine + 1) - 1));
+}
+
+/// The parameter list of the module.
+std::string parameters_of(const vectors::VectorSet& set) {
+  const vectors::UnitDescription& unit = set.unit();
+  std::vector<std::string> parameters;
+  if (unit.bits.size() > 1) parameters.push_back(fmt::format(".N({})", set.parameters().bits));
+  if (unit.treelets.size() > 1) parameters.push_back(fmt::format(".D({})", set.parameters().treelet));
+  if (has_harness(unit)) parameters.push_back(fmt::format(".LINES_LOG2({})", lines_log2(set)));
+  return parameters.empty() ? "" : fmt::format("#({})", fmt::join(parameters, ", "));
+}
+
+/// Compiled models: one a unit, its parameters and size of memory.
 class Models {
  public:
   /// The path of the compiled model.
   std::string get(const vectors::VectorSet& set, std::size_t stimuli, std::size_t cases) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const vectors::UnitDescription& unit = set.unit();
-    const std::string parameters = unit.bits.size() > 1 ? fmt::format("#(.N({}))", set.parameters().bits) : "";
+    const std::string parameters = parameters_of(set);
     const std::string key = fmt::format("{} {} {} {}", unit.name, parameters, stimuli, cases);
     const auto found = models_.find(key);
     if (found != models_.end()) return found->second;
@@ -59,36 +88,47 @@ class Models {
                const std::string& model) {
     const std::string sources = source_folder();
     const std::string log = folder_.path() + "/compile.log";
-    const int code = run_program(
-        {"iverilog", "-g2005", "-o", model, "-s", "unit_bench", "-y", sources, "-I", sources,
-         fmt::format("-DUNIT={}", set.unit().name), fmt::format("-DPARAMETERS={}", parameters),
-         fmt::format("-Punit_bench.STIMULUS_WIDTH={}", set.stimulus_codec().width),
-         fmt::format("-Punit_bench.RESPONSE_WIDTH={}", set.response_codec().width),
-         fmt::format("-Punit_bench.STIMULI={}", stimuli), fmt::format("-Punit_bench.CASES={}", cases), bench()},
-        log);
+    const bool harness = has_harness(set.unit());
+    const int code =
+        run_program({"iverilog",
+                     "-g2005",
+                     "-o",
+                     model,
+                     "-s",
+                     "unit_bench",
+                     "-y",
+                     sources,
+                     "-y",
+                     bench_folder(),
+                     "-I",
+                     sources,
+                     fmt::format("-DUNIT={}", harness ? harness_name(set.unit()) : std::string(set.unit().name)),
+                     fmt::format("-DPARAMETERS={}", parameters),
+                     harness ? "-DHARNESS" : "-DSIMPLE",
+                     fmt::format("-Punit_bench.STIMULUS_WIDTH={}", set.stimulus_codec().width),
+                     fmt::format("-Punit_bench.RESPONSE_WIDTH={}", set.response_codec().width),
+                     fmt::format("-Punit_bench.STIMULI={}", stimuli),
+                     fmt::format("-Punit_bench.CASES={}", cases),
+                     bench_folder() + "/" + kBench},
+                    log);
     if (code != 0) throw golden::InputError("iverilog", read_text_file(log));
   }
 
   std::string source_folder() {
     if (given_folder() != nullptr) return given_folder();
-    unpack();
-    return folder_.path();
+    return unpacked("twins", gateware_sources());
   }
-  std::string bench() {
-    unpack();
-    return folder_.path() + "/" + kBench;
-  }
-  void unpack() {
-    if (unpacked_) return;
-    for (const GatewareSource& source : gateware_sources()) {
-      write_file(fmt::format("{}/{}", folder_.path(), source.name), source.bytes);
-    }
-    unpacked_ = true;
+  std::string bench_folder() { return unpacked("benches", gateware_benches()); }
+
+  std::string unpacked(const std::string& name, const std::vector<GatewareSource>& sources) {
+    const std::string path = fmt::format("{}/{}", folder_.path(), name);
+    if (!fs::create_directory(path)) return path;
+    for (const GatewareSource& source : sources) write_file(fmt::format("{}/{}", path, source.name), source.bytes);
+    return path;
   }
 
   std::mutex mutex_;
   TemporaryFolder folder_;
-  bool unpacked_ = false;
   std::map<std::string, std::string> models_;
 };
 
@@ -117,10 +157,10 @@ std::string stimuli_text(const vectors::VectorSet& set) {
   return text;
 }
 
-/// Seeds of source and sink, stimuli, responses.
+/// Seeds of source, sink and memory, stimuli, responses.
 std::string case_line(const RunOptions& options, std::uint64_t number, std::size_t stimuli, std::size_t responses) {
-  return fmt::format("{:016x}{:016x}{:08x}{:08x}\n", source_seed(options, number), sink_seed(options, number), stimuli,
-                     responses);
+  return fmt::format("{:016x}{:016x}{:016x}{:08x}{:08x}\n", source_seed(options, number), sink_seed(options, number),
+                     memory_seed(options, number), stimuli, responses);
 }
 
 std::string cases_text(const vectors::VectorSet& set, const RunOptions& options) {
@@ -146,8 +186,7 @@ std::string why_no_simulator() {
 bool has_twin(const vectors::UnitDescription& unit) {
   const std::string file = fmt::format("{}.v", unit.name);
   if (given_folder() != nullptr) return fs::exists(fs::path(given_folder()) / file);
-  const auto sources = gateware_sources();
-  return std::any_of(sources.begin(), sources.end(), [&](const auto& source) { return source.name == file; });
+  return holds(gateware_sources(), file);
 }
 
 std::string simulate_twin(const vectors::VectorSet& set, const RunOptions& options, TraceKind kind) {

@@ -6,11 +6,14 @@
 
 namespace cbvh::testbench {
 
-/// A file of fpga/gateware/ or of its bench/, compiled in so that the command runs from anywhere.
+/// A Verilog file, compiled in so that the command runs from anywhere.
 struct GatewareSource {
   std::string_view name;   ///< the file's
   std::string_view bytes;  ///< its content
 };
+/// fpga/gateware/: the twins.
 std::vector<GatewareSource> gateware_sources();
+/// fpga/gateware/bench/ and harness/: what runs them.
+std::vector<GatewareSource> gateware_benches();
 
 }  // namespace cbvh::testbench

@@ -13,13 +13,17 @@ namespace cbvh::testbench {
 /// Cycles by which a read may be late, at random, when sinks stall: memory is one of the ends.
 constexpr unsigned kMemoryJitter = 13;
 
+constexpr std::uint64_t memory_seed(const RunOptions& options, std::uint64_t number) {
+  return options.stall_seed + number;
+}
+
 template <int N>
 rtl::FixedLatencyMemory<N> make_memory(rtl::Channel<rtl::MemoryRequest<N>>& requests,
                                        rtl::Channel<rtl::MemoryLine<N>>& lines, const RunOptions& options,
                                        std::uint64_t number) {
   const bool jitters = options.stalls == Stalls::sink || options.stalls == Stalls::both;
   return rtl::FixedLatencyMemory<N>(requests, lines, options.memory_latency, jitters ? kMemoryJitter : 0,
-                                    options.stall_seed + number);
+                                    memory_seed(options, number));
 }
 
 /// Notes the writes that the memory takes.

@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 // Runs cases through one unit between two channels, as testbench/rtl/in_out_bench.h runs the C++ module: the same stalls in the same
-// cycles, the same end. `UNIT is the module, `PARAMETERS its parameter list. What it reads and writes: bench/README.md.
+// cycles, the same end. `UNIT is the module, `PARAMETERS its parameter list; with `HARNESS it is one of ../harness. What it reads and writes:
+// README.md.
 module unit_bench;
   parameter STIMULUS_WIDTH = 1;
   parameter RESPONSE_WIDTH = 1;
@@ -25,22 +26,40 @@ module unit_bench;
   skid_buffer #(STIMULUS_WIDTH) jobs (
       clk, reset, source_valid, source_ready, source_data, jobs_valid, jobs_ready, jobs_data
   );
+`ifdef HARNESS
+  wire [31:0] results_cycle;
+  wire [31:0] sink_cycle;  // in which the event counts as happened
+  reg  [ 3:0] memory_delay;
+  wire        memory_draws;
+  `UNIT `PARAMETERS unit (
+      clk, reset, jobs_valid, jobs_ready, jobs_data, results_valid, results_ready, results_data, results_cycle,
+      memory_delay, memory_draws
+  );
+  skid_buffer #(32 + RESPONSE_WIDTH) results (
+      clk, reset, results_valid, results_ready, {results_cycle, results_data}, sink_valid, sink_ready,
+      {sink_cycle, sink_data}
+  );
+`else
+  wire [31:0] sink_cycle = cycle;
+  wire memory_draws = 1'b0;
+  reg [3:0] memory_delay;
   `UNIT `PARAMETERS unit (
       clk, reset, jobs_valid, jobs_ready, jobs_data, results_valid, results_ready, results_data
   );
   skid_buffer #(RESPONSE_WIDTH) results (
       clk, reset, results_valid, results_ready, results_data, sink_valid, sink_ready, sink_data
   );
+`endif
 
   reg [STIMULUS_WIDTH-1:0] stimuli[0:STIMULI-1];
-  reg [191:0] cases[0:CASES-1];  // seeds of source and sink, stimuli, responses wanted
+  reg [255:0] cases[0:CASES-1];  // seeds of source, sink and memory, stimuli, responses wanted
   integer stimulus_count, case_count, hang_cycles, drain_cycles;
   integer source_stalls, sink_stalls, lockstep;
   reg [8*1024:1] folder;
   integer trace;
 
-  // rtl_model/kernel/stall.h and random.h, one for each end.
-  reg [63:0] source_state, source_left, sink_state, sink_left;
+  // rtl_model/kernel/stall.h and random.h, one for each end; memory is one of them.
+  reg [63:0] source_state, source_left, sink_state, sink_left, memory_state;
   reg source_holds, sink_holds;
   function [63:0] mixed(input [63:0] state);
     reg [63:0] z;
@@ -84,6 +103,7 @@ module unit_bench;
       source_valid = ~source_holds & (sent < size);
       source_data  = stimuli[sent < size ? first + sent : 0];
       sink_ready   = ~sink_holds;
+      memory_delay = sink_stalls != 0 ? mixed(memory_state + GAMMA) % 14 : 0;
       #1;
       if (lockstep != 0) begin
         $fwrite(trace, "%b%b %b%b", source_ready, jobs_valid, results_ready, sink_valid);
@@ -96,10 +116,11 @@ module unit_bench;
         accepted = accepted + 1;
       end
       if (sink_valid & sink_ready) begin
-        if (lockstep == 0) $fwrite(trace, "r %0d %h\n", cycle, sink_data);
+        if (lockstep == 0) $fwrite(trace, "r %0d %h\n", sink_cycle, sink_data);
         given = given + 1;
       end
       if (source_valid & source_ready) sent = sent + 1;
+      if (memory_draws) memory_state = memory_state + GAMMA;
       clk = 1'b1;
       #1;
       clk   = 1'b0;
@@ -109,7 +130,7 @@ module unit_bench;
 
   task run_case;
     begin
-      {source_state, sink_state} = cases[index][191:64];
+      {source_state, sink_state, memory_state} = cases[index][255:64];
       size         = cases[index][63:32];
       wanted       = cases[index][31:0];
       source_left  = 0;
