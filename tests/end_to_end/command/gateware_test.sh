@@ -40,7 +40,7 @@ done
 for tool in verilator yosys; do command -v $tool >/dev/null || echo "skipped: lint by $tool, which is not installed"; done
 
 # Vectors: all twins, all kinds of stalls; the same counts as the C++ modules.
-twins=(axis_compressor scale_estimator node_pair_compressor context_stack backtrack_unit)
+twins=(axis_compressor scale_estimator node_pair_compressor node_pair_compressor_serial context_stack backtrack_unit)
 for unit in "${twins[@]}"; do
   expect 0 units "$unit"
   says out "gateware,golden,rtl"
