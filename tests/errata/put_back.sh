@@ -7,7 +7,7 @@ set -euo pipefail
 
 cmake=${CMAKE:-cmake}
 mkdir copy
-(cd "$SOURCE" && tar cf - CMakeLists.txt cmake golden rtl_model vectors testbench tests bench) | tar xf - -C copy
+(cd "$SOURCE" && tar cf - CMakeLists.txt cmake golden rtl_model vectors testbench fpga tests bench) | tar xf - -C copy
 "$cmake" -S copy -B build -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="${CXX:-c++}" -DCBVH_BUILD_BENCH=OFF > configure.log
 unit=hardware_errata_test
 "$cmake" --build build --target $unit > build.log 2>&1 || { tail -n 30 build.log; exit 1; }
