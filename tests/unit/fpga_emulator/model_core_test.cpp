@@ -1,0 +1,372 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "fpga/emulator/model/model_core.h"
+
+#include <gtest/gtest.h>
+
+#include "talk.h"
+#include "vectors/registry.h"
+
+namespace cbvh::testing {
+namespace {
+
+using emulator::ModelCore;
+using host::ErrorReason;
+using host::FrameType;
+
+constexpr vectors::Parameters kParameters{6, 1};
+
+host::Bytes open(Talk& talk, std::string_view unit, int bits = 6, int treelet = 1) {
+  talk.send(FrameType::open, open_payload(unit, bits, treelet));
+  return talk.receive_one(FrameType::board_open);
+}
+
+std::uint32_t credit_of(const host::Bytes& payload) { return host::parse_credit(payload).value_or(~0U); }
+
+/// Compares a RESULTS payload with the responses of the set's cases; gives the number of responses compared.
+std::size_t expect_golden(const vectors::VectorSet& set, const host::Bytes& payload) {
+  const auto& codec = set.response_codec();
+  const auto results = host::BatchResults::parse(payload, codec.packed_bytes());
+  EXPECT_TRUE(results);
+  if (!results) return 0;
+  std::size_t compared = 0;
+  host::Bytes want(codec.packed_bytes());
+  for (const auto& episode : results->episodes) {
+    EXPECT_FALSE(episode.hung || episode.more);
+    for (std::size_t i = 0; i < episode.responses; ++i, ++compared) {
+      if (compared >= set.response_count()) return 0;
+      const auto record = episode.records.subspan(i * (4 + want.size()), 4 + want.size());
+      codec.pack(set.response_at(compared), want.data());
+      EXPECT_TRUE(std::equal(want.begin(), want.end(), record.begin() + 4)) << "response " << compared;
+      const std::uint32_t latency = set.latency_at(compared);
+      if (latency == vectors::kLatencyNotStated) continue;
+      EXPECT_EQ(host::read_at<std::uint32_t>(record, 0), latency);
+    }
+  }
+  return compared;
+}
+
+TEST(ModelCore, hello_offers_every_unit_of_the_rtl_backend_with_its_parameters) {
+  ModelCore core({.buffers = 3, .greatest_payload_in = 5000, .greatest_payload_out = 7000});
+  Talk talk(core);
+  talk.send(FrameType::hello);
+  const auto hello = host::BoardHello::parse(talk.receive_one(FrameType::board_hello));
+  ASSERT_TRUE(hello);
+  EXPECT_EQ(hello->credit, 4U);  // one frame taken, three buffers
+  EXPECT_EQ(hello->buffers, 3U);
+  EXPECT_EQ(hello->greatest_payload_in, 5000U);
+  EXPECT_EQ(hello->greatest_payload_out, 7000U);
+  ASSERT_EQ(hello->units.size(), vectors::units().size());
+  const host::OfferedUnit& axis = hello->units[0];
+  EXPECT_EQ(axis.name, "axis_compressor");
+  EXPECT_EQ(axis.id, host::unit_id("axis_compressor"));
+  unsigned mask = 0;
+  for (const int n : vectors::kBuiltBits) mask |= 1U << n;
+  EXPECT_EQ(axis.bits_mask, mask);
+  EXPECT_EQ(axis.treelet_mask, 1U << 1U);
+  EXPECT_FALSE(axis.stateful);
+}
+
+TEST(ModelCore, offers_one_unit_with_one_N_when_told_to) {
+  ModelCore core({.unit = "scale_estimator", .bits = 4});
+  Talk talk(core);
+  talk.send(FrameType::hello);
+  const auto hello = host::BoardHello::parse(talk.receive_one(FrameType::board_hello));
+  ASSERT_TRUE(hello);
+  ASSERT_EQ(hello->units.size(), 1U);
+  EXPECT_EQ(hello->units[0],
+            (host::OfferedUnit{host::unit_id("scale_estimator"), "scale_estimator", 1U << 4U, 2, false}));
+  talk.send(FrameType::open, open_payload("axis_compressor", 4, 1));
+  talk.expect_error(ErrorReason::unit, 1, host::unit_id("axis_compressor"));
+  talk.send(FrameType::open, open_payload("scale_estimator", 6, 1));
+  talk.expect_error(ErrorReason::parameters, 2, 6 + 256);
+  EXPECT_THROW(ModelCore({.unit = "no_such_unit"}), golden::InputError);
+  EXPECT_THROW(ModelCore({.unit = "scale_estimator", .bits = 9}), golden::InputError);
+}
+
+TEST(ModelCore, every_unit_gives_the_goldens_responses_and_latencies) {
+  std::size_t units = 0;
+  for (const vectors::UnitDescription& unit : vectors::units()) {
+    const vectors::Parameters parameters{unit.bits.back(), unit.treelets.back()};
+    const auto set = vectors::generate_set(unit.name, parameters, 12, 5);
+    ModelCore core;
+    Talk talk(core);
+    const auto opened = host::OpenAnswer::parse(open(talk, unit.name, parameters.bits, parameters.treelet));
+    ASSERT_TRUE(opened) << unit.name;
+    EXPECT_EQ(opened->stimulus_width, set->stimulus_codec().width);
+    EXPECT_EQ(opened->response_width, set->response_codec().width);
+    talk.send(FrameType::vectors, PackedBatch(*set).batch.to_payload());
+    EXPECT_EQ(expect_golden(*set, talk.receive_one(FrameType::results)), set->response_count()) << unit.name;
+    ++units;
+  }
+  EXPECT_GE(units, 25U);
+}
+
+TEST(ModelCore, a_wrong_bit_in_a_stimulus_changes_the_results) {
+  const auto set = vectors::generate_set("axis_compressor", kParameters, 64, 5);
+  ModelCore core;
+  Talk talk(core);
+  open(talk, "axis_compressor");
+  PackedBatch packed(*set);
+  packed.packed[0][3] ^= 0x40;
+  talk.send(FrameType::vectors, packed.batch.to_payload());
+  ModelCore other;
+  Talk other_talk(other);
+  open(other_talk, "axis_compressor");
+  other_talk.send(FrameType::vectors, PackedBatch(*set).batch.to_payload());
+  EXPECT_NE(talk.receive_one(FrameType::results), other_talk.receive_one(FrameType::results));
+}
+
+TEST(ModelCore, bytes_may_come_and_go_one_at_a_time) {
+  const auto set = vectors::generate_set("scale_estimator", kParameters, 20, 5);
+  ModelCore core;
+  Talk talk(core);
+  host::Bytes bytes;
+  host::append_frame(bytes, FrameType::open, 0, open_payload("scale_estimator", 6, 1));
+  host::append_frame(bytes, FrameType::vectors, 1, PackedBatch(*set, 77).batch.to_payload());
+  for (const std::uint8_t byte : bytes) talk.send_raw({&byte, 1});
+  const auto frames = talk.receive(1);
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].header.sequence, 0U);
+  EXPECT_EQ(frames[1].header.sequence, 1U);
+  EXPECT_EQ(host::read_at<std::uint32_t>(frames[1].payload, 4), 77U);
+  EXPECT_EQ(expect_golden(*set, frames[1].payload), 20U);
+}
+
+TEST(ModelCore, a_megabyte_of_stimuli_in_one_batch) {
+  const auto set = vectors::generate_set("scale_estimator", kParameters, 40'000, 5);
+  ModelCore core({.greatest_payload_out = std::uint32_t{1} << 21U});
+  Talk talk(core);
+  open(talk, "scale_estimator");
+  const host::Bytes payload = PackedBatch(*set).batch.to_payload();
+  talk.send(FrameType::vectors, payload);
+  EXPECT_EQ(expect_golden(*set, talk.receive_one(FrameType::results)), 40'000U);
+}
+
+TEST(ModelCore, credit_falls_with_every_queued_batch_and_rises_with_every_result) {
+  const auto set = vectors::generate_set("axis_compressor", kParameters, 4, 5);
+  const host::Bytes payload = PackedBatch(*set).batch.to_payload();
+  ModelCore core({.buffers = 2});
+  Talk talk(core);
+  EXPECT_EQ(credit_of(open(talk, "axis_compressor")), 1U + 2U);
+  talk.send(FrameType::vectors, payload);  // 1
+  talk.send(FrameType::vectors, payload);  // 2
+  talk.send(FrameType::vectors, payload);  // 3: too many
+  talk.send(FrameType::status);            // 4
+  const auto frames = talk.receive();
+  ASSERT_EQ(frames.size(), 4U);
+  EXPECT_EQ(credit_of(frames[0].payload), 5U + 1U);  // one of two is still queued
+  EXPECT_EQ(credit_of(frames[1].payload), 5U + 2U);
+  const auto error = host::BoardError::parse(frames[2].payload);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->reason, ErrorReason::credit);
+  EXPECT_EQ(error->sequence, 3U);
+  EXPECT_EQ(error->detail, 4U);  // no buffer was free behind frame 3
+  EXPECT_EQ(credit_of(frames[3].payload), 5U + 2U);
+}
+
+TEST(ModelCore, status_counts_what_was_broken_lost_and_doubled) {
+  ModelCore core;
+  Talk talk(core);
+  open(talk, "axis_compressor");  // 0
+  talk.send_raw(host::Bytes{1, 2, 3});
+  host::Bytes broken;
+  host::append_frame(broken, FrameType::open, talk.sequence++, open_payload("axis_compressor", 6, 1));  // 1
+  broken.back() ^= 1;
+  talk.send_raw(broken);
+  talk.sequence += 2;            // 2 and 3 are lost
+  talk.send(FrameType::status);  // 4
+  --talk.sequence;
+  talk.send(FrameType::status);  // 4 again
+  const auto frames = talk.receive();
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].header.type, FrameType::credit);
+  EXPECT_EQ(credit_of(frames[0].payload), 5U + 4U);
+  const auto set = vectors::generate_set("axis_compressor", kParameters, 4, 5);
+  talk.send(FrameType::vectors, PackedBatch(*set).batch.to_payload());
+  talk.send(FrameType::status);
+  const auto more = talk.receive();
+  ASSERT_EQ(more.size(), 2U);
+  const auto status = host::BoardStatus::parse(more[1].payload);
+  ASSERT_TRUE(status);
+  EXPECT_EQ(status->taken, 4U);
+  EXPECT_EQ(status->skipped, 3U);
+  EXPECT_EQ(status->corrupted, 1U);
+  EXPECT_EQ(status->lost, 3U);
+  EXPECT_EQ(status->stale, 1U);
+  EXPECT_EQ(status->batches, 1U);
+  EXPECT_EQ(status->cycles, host::BatchResults::parse(more[0].payload, set->response_codec().packed_bytes())->cycles);
+}
+
+TEST(ModelCore, reset_forgets_unit_batches_and_counters_and_counts_from_its_own_sequence) {
+  const auto set = vectors::generate_set("axis_compressor", kParameters, 4, 5);
+  const host::Bytes payload = PackedBatch(*set).batch.to_payload();
+  ModelCore core;
+  Talk talk(core);
+  open(talk, "axis_compressor");
+  talk.send(FrameType::vectors, payload);
+  talk.send_raw(host::Bytes{9});
+  talk.sequence = 0;  // behind
+  talk.send(FrameType::reset);
+  talk.send(FrameType::vectors, payload);
+  talk.send(FrameType::status);
+  const auto frames = talk.receive();
+  ASSERT_EQ(frames.size(), 3U);
+  EXPECT_EQ(frames[0].header.type, FrameType::board_reset);
+  EXPECT_EQ(frames[0].header.sequence, 0U);
+  EXPECT_EQ(credit_of(frames[0].payload), 3U + 4U);
+  EXPECT_EQ(host::BoardError::parse(frames[1].payload)->reason, ErrorReason::not_open);
+  const auto status = host::BoardStatus::parse(frames[2].payload);
+  ASSERT_TRUE(status);
+  EXPECT_EQ(*status, (host::BoardStatus{7, 2, 0, 0, 0, 0, 0, 0}));
+}
+
+TEST(ModelCore, power_on_forgets_even_half_a_frame) {
+  ModelCore core;
+  Talk talk(core);
+  host::Bytes bytes;
+  host::append_frame(bytes, FrameType::status, 5);
+  talk.send_raw(host::ByteSpan(bytes).first(10));
+  core.reset();
+  talk.send(FrameType::status);
+  EXPECT_EQ(host::BoardStatus::parse(talk.receive_one(FrameType::board_status))->skipped, 0U);
+}
+
+class ModelCoreErrors : public ::testing::Test {
+ protected:
+  void open_axis() { ASSERT_FALSE(open(talk, "axis_compressor").empty()); }
+  host::Bytes axis_batch(std::uint64_t cases) {
+    set = vectors::generate_set("axis_compressor", kParameters, cases, 5);
+    return PackedBatch(*set).batch.to_payload();
+  }
+
+  ModelCore core{{.buffers = 4, .greatest_payload_in = 2000, .greatest_payload_out = 1000}};
+  Talk talk{core};
+  std::unique_ptr<vectors::VectorSet> set;
+};
+
+TEST_F(ModelCoreErrors, version) {
+  host::Bytes bytes;
+  host::append_header(bytes, {2, FrameType::hello, 17, 0});
+  talk.send_raw(bytes);
+  talk.expect_error(ErrorReason::version, 17, 1);
+}
+
+TEST_F(ModelCoreErrors, type) {
+  talk.send(static_cast<FrameType>(0x42));
+  talk.expect_error(ErrorReason::type, 0, 0x42);
+  talk.send(FrameType::results);  // a board's
+  talk.expect_error(ErrorReason::type, 1, 0x83);
+}
+
+TEST_F(ModelCoreErrors, length_above_the_greatest_payload_of_which_the_bytes_are_skipped) {
+  open_axis();
+  talk.send(FrameType::vectors, host::Bytes(2001));
+  talk.expect_error(ErrorReason::length, 1, 2000);
+  talk.send(FrameType::status);
+  EXPECT_EQ(host::BoardStatus::parse(talk.receive_one(FrameType::board_status))->skipped, 2001U + 4U);
+}
+
+TEST_F(ModelCoreErrors, length_that_is_not_what_the_frame_needs) {
+  open_axis();
+  for (const FrameType type : {FrameType::hello, FrameType::status, FrameType::reset}) {
+    talk.send(type, host::Bytes(1));
+    talk.expect_error(ErrorReason::length, talk.sequence - 1, 0);
+  }
+  host::Bytes payload = axis_batch(3);
+  const auto size = static_cast<std::uint32_t>(payload.size());
+  payload.push_back(0);
+  talk.send(FrameType::vectors, payload);
+  talk.expect_error(ErrorReason::length, talk.sequence - 1, size);
+  payload.resize(size - 1);
+  talk.send(FrameType::vectors, payload);
+  talk.expect_error(ErrorReason::length, talk.sequence - 1, size);
+  payload.resize(15);  // within the episode's head
+  talk.send(FrameType::vectors, payload);
+  talk.expect_error(ErrorReason::length, talk.sequence - 1, 20);
+  talk.send(FrameType::vectors, host::Bytes(11));
+  talk.expect_error(ErrorReason::length, talk.sequence - 1, 12);
+  talk.send(FrameType::open, host::Bytes(7));
+  talk.expect_error(ErrorReason::length, talk.sequence - 1, 8);
+}
+
+TEST_F(ModelCoreErrors, unit) {
+  talk.send(FrameType::open, open_payload("no_such_unit", 6, 1));
+  talk.expect_error(ErrorReason::unit, 0, host::unit_id("no_such_unit"));
+}
+
+TEST_F(ModelCoreErrors, parameters) {
+  talk.send(FrameType::open, open_payload("axis_compressor", 9, 1));
+  talk.expect_error(ErrorReason::parameters, 0, 9 + 256);
+  talk.send(FrameType::open, open_payload("axis_compressor", 6, 2));
+  talk.expect_error(ErrorReason::parameters, 1, 6 + 512);
+}
+
+TEST_F(ModelCoreErrors, no_unit_is_open_not_even_the_last_after_an_open_that_failed) {
+  const host::Bytes payload = axis_batch(3);
+  talk.send(FrameType::vectors, payload);
+  talk.expect_error(ErrorReason::not_open, 0, 0);
+  open_axis();
+  talk.send(FrameType::open, open_payload("no_such_unit", 6, 1));
+  talk.expect_error(ErrorReason::unit, 2, host::unit_id("no_such_unit"));
+  talk.send(FrameType::vectors, payload);
+  talk.expect_error(ErrorReason::not_open, 3, 0);
+}
+
+TEST_F(ModelCoreErrors, responses_that_do_not_fit) {
+  open_axis();
+  const std::size_t record = 4 + vectors::find_unit("axis_compressor").response(6).packed_bytes();
+  const std::size_t fit = (1000 - 16 - 4) / record;
+  talk.send(FrameType::vectors, axis_batch(fit));
+  EXPECT_EQ(expect_golden(*set, talk.receive_one(FrameType::results)), fit);
+  talk.send(FrameType::vectors, axis_batch(fit + 1));
+  talk.expect_error(ErrorReason::responses, talk.sequence - 1, 1000);
+}
+
+TEST_F(ModelCoreErrors, surplus_responses_are_sent_as_far_as_they_fit) {
+  ASSERT_FALSE(open(talk, "context_stack").empty());
+  set = vectors::generate_set("context_stack", kParameters, 1, 5);
+  PackedBatch packed(*set);
+  packed.batch.episodes[0].wanted = 1;
+  talk.send(FrameType::vectors, packed.batch.to_payload());
+  const std::size_t bytes = set->response_codec().packed_bytes();
+  const host::Bytes payload = talk.receive_one(FrameType::results);
+  const auto results = host::BatchResults::parse(payload, bytes);
+  ASSERT_TRUE(results);
+  const std::size_t fit = (1000 - 16 - 4) / (4 + bytes);
+  EXPECT_EQ(results->episodes[0].responses, std::min(fit, set->response_count()));
+  EXPECT_EQ(results->episodes[0].more, set->response_count() > fit);
+}
+
+TEST_F(ModelCoreErrors, an_episode_that_lacks_responses_is_hung) {
+  ASSERT_FALSE(open(talk, "context_stack").empty());
+  set = vectors::generate_set("context_stack", kParameters, 1, 5);
+  PackedBatch packed(*set);
+  packed.batch.episodes[0].stimuli = 1;
+  packed.packed[0].resize(set->stimulus_codec().packed_bytes());
+  packed.batch.episodes[0].packed = packed.packed[0];
+  packed.batch.episodes[0].wanted = 3;
+  packed.batch.hang_cycles = 100;
+  talk.send(FrameType::vectors, packed.batch.to_payload());
+  const host::Bytes payload = talk.receive_one(FrameType::results);
+  const auto results = host::BatchResults::parse(payload, set->response_codec().packed_bytes());
+  ASSERT_TRUE(results);
+  EXPECT_TRUE(results->episodes[0].hung);
+  EXPECT_LT(results->episodes[0].responses, 3U);
+}
+
+TEST_F(ModelCoreErrors, batches_without_stimuli_or_episodes_give_empty_results) {
+  open_axis();
+  host::Batch batch;
+  batch.number = 5;
+  talk.send(FrameType::vectors, batch.to_payload());
+  batch.episodes.push_back({});
+  batch.hang_cycles = 100;
+  talk.send(FrameType::vectors, batch.to_payload());
+  const auto frames = talk.receive();
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].payload.size(), 16U);
+  EXPECT_EQ(frames[1].payload.size(), 20U);
+}
+
+}  // namespace
+}  // namespace cbvh::testing
