@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace cbvh::host {
 
 std::string to_string(FrameType type) {
@@ -46,6 +48,15 @@ void append_frame(Bytes& out, FrameType type, std::uint32_t sequence, ByteSpan p
   if (payload.empty()) return;
   append(out, payload);
   append(out, crc32c(payload));
+}
+
+void finish_frame(Bytes& frame, FrameType type, std::uint32_t sequence) {
+  const ByteSpan payload = ByteSpan(frame).subspan(kHeaderBytes);
+  Bytes header;
+  append_header(header, {kProtocolVersion, type, sequence, static_cast<std::uint32_t>(payload.size())});
+  const std::uint32_t checksum = crc32c(payload);
+  std::copy(header.begin(), header.end(), frame.begin());
+  if (frame.size() > kHeaderBytes) append(frame, checksum);
 }
 
 }  // namespace cbvh::host

@@ -33,6 +33,8 @@ class FrameReader {
   void feed(ByteSpan bytes);
   /// The next frame, or nothing when more bytes are needed.
   std::optional<Frame> next();
+  /// Whether a good header has come, and not yet all of its payload. Only after next() has given nothing.
+  bool in_frame() const { return header_.has_value(); }
   /// Gives up a frame that has begun and not ended: the bytes behind its first are looked at again. For a receiver
   /// that has waited long enough for its end. False when there is none.
   bool give_up_unfinished();
