@@ -132,6 +132,10 @@ Transfer Link::out(std::span<const std::uint8_t> bytes, Time now) {
   return {};
 }
 
+void Link::put_back(std::span<const std::uint8_t> bytes) {
+  if (!bytes.empty()) in_queue_.emplace_front(bytes.begin(), bytes.end());
+}
+
 Bytes Link::next_in(std::size_t most, Time now) {
   if (in_queue_.empty()) {
     Bytes bytes = core_.send(most);
@@ -143,9 +147,8 @@ Bytes Link::next_in(std::size_t most, Time now) {
   Bytes bytes = std::move(in_queue_.front());
   in_queue_.pop_front();
   if (bytes.size() > most) {
-    const auto cut = bytes.begin() + static_cast<std::ptrdiff_t>(most);
-    put_back(Bytes(cut, bytes.end()));
-    bytes.erase(cut, bytes.end());
+    put_back(std::span(bytes).subspan(most));
+    bytes.resize(most);
   }
   return bytes;
 }
@@ -165,16 +168,16 @@ Transfer Link::in(std::size_t most, Time now) {
     return {Transfer::Status::pending};
   }
   if (*fault == FaultKind::short_) {
-    const auto cut = bytes.begin() + static_cast<std::ptrdiff_t>(random_.below(bytes.size()));
-    put_back(Bytes(cut, bytes.end()));
-    bytes.erase(cut, bytes.end());
+    const std::size_t kept = bytes.size() > 1 ? random_.below(bytes.size()) : 1;
+    put_back(std::span(bytes).subspan(kept));
+    bytes.resize(kept);
     return {Transfer::Status::done, std::move(bytes)};
   }
   std::vector<Bytes> pieces = mangle(*fault, bytes);
-  put_back(std::move(bytes));
+  put_back(bytes);
   if (auto interrupted = interrupt(*fault, kIn, now)) return *interrupted;
   in_queue_.pop_front();
-  for (std::size_t i = pieces.size(); i > 1; --i) put_back(std::move(pieces[i - 1]));
+  for (std::size_t i = pieces.size(); i > 1; --i) put_back(pieces[i - 1]);
   if (pieces[0].empty()) return {Transfer::Status::pending};
   return {Transfer::Status::done, std::move(pieces[0])};
 }

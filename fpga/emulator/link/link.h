@@ -60,7 +60,7 @@ class Link {
   /// What `kind` makes of a piece of the stream: zero, one or more pieces.
   std::vector<std::vector<std::uint8_t>> mangle(FaultKind kind, std::vector<std::uint8_t> bytes);
   std::vector<std::uint8_t> next_in(std::size_t most, Time now);
-  void put_back(std::vector<std::uint8_t> bytes) { in_queue_.push_front(std::move(bytes)); }
+  void put_back(std::span<const std::uint8_t> bytes);
   Core& core_;
   std::vector<Fault> faults_;
   vectors::Random random_;

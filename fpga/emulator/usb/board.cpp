@@ -45,10 +45,10 @@ void UsbBoard::run() {
     link_.power_on();
     function_->power_on();
     const auto number = kFirstNumber + static_cast<unsigned>(nodes_.size());
+    ++plugged_;
     auto node = std::make_unique<UsbNode>(system_.testbed(), transport_, *function_, number);
     const std::lock_guard lock(mutex_);
     nodes_.push_back(std::move(node));
-    ++plugged_;
   }
 }
 

@@ -138,7 +138,7 @@ UsbNode::Result UsbNode::reap(UMockdevIoctlClient& client, UMockdevIoctlData& ar
 }
 
 UsbNode::Result UsbNode::claim(UMockdevIoctlClient& client, unsigned interface, bool with_driver) {
-  if (interface >= interface_count(transport_)) return {-1, EINVAL};
+  if (interface >= interface_count(transport_)) return {-1, ENOENT};
   const std::lock_guard lock(mutex_);
   const auto owner = claimed_.find(interface);
   if (owner != claimed_.end()) return owner->second == &client ? Result{0, 0} : Result{-1, EBUSY};
