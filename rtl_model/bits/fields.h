@@ -93,9 +93,7 @@ void visit_named_leaves(T& value, Visit&& visit, const std::string& path = {}) {
     }
   } else {
     std::apply(
-        [&](auto... field) {
-          (visit_named_leaves(value.*field.member, visit, detail::joined(path, field.name)), ...);
-        },
+        [&](auto... field) { (visit_named_leaves(value.*field.member, visit, detail::joined(path, field.name)), ...); },
         std::remove_const_t<T>::fields());
   }
 }
