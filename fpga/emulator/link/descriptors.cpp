@@ -1,5 +1,5 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
-#include "fpga/emulator/usb/descriptors.h"
+#include "fpga/emulator/link/descriptors.h"
 
 #include "fpga/emulator/link/bulk_function.h"
 
