@@ -89,7 +89,7 @@ expect "every check passes through a real USB stack" "guest: .*[1-9][0-9]* passe
 expect "exit code 0" "guest: exit code 0$" whole.log
 
 run_guest unplugged --unplug-after 200000
-expect "a board that is pulled out is an error that says how far it got" "guest: .*(of $cases)" unplugged.log
+expect "a board that is pulled out is an error that says how far it got" "guest: .*unplugged.* of [0-9]+ cases were done" unplugged.log
 expect "and not a pass" "guest: exit code [1-9]" unplugged.log
 if grep -q "guest: .* passed, 0 failed" unplugged.log; then
   echo "FAILED  a run that was cut short reports a pass"

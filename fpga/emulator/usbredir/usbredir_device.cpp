@@ -196,10 +196,11 @@ bool UsbredirDevice::move(Waiting& transfer) {
 }
 
 void UsbredirDevice::move_transfers() {
+  const auto plugged = [&] { return unplugging_.after_bytes == 0 || to_host_ < unplugging_.after_bytes; };
   for (auto& [endpoint, transfers] : waiting_) {
-    while (!transfers.empty() && move(transfers.front())) transfers.pop_front();
+    while (plugged() && !transfers.empty() && move(transfers.front())) transfers.pop_front();
   }
-  if (connected_ && unplugging_.after_bytes != 0 && to_host_ >= unplugging_.after_bytes) unplug();
+  if (connected_ && !plugged()) unplug();
 }
 
 int UsbredirDevice::read_socket(std::uint8_t* data, int size) {
