@@ -15,16 +15,17 @@ PATH=/nowhere "$CBVH" check "$SOURCE/vectors/sets/axis_compressor.vec" --backend
 says err "no program 'iverilog' (Debian package iverilog)"
 command -v iverilog >/dev/null || { echo "skipped: no iverilog"; trap - EXIT; exit 77; }
 
-# Lint: every file by itself, for the smallest and the largest N.
+# Lint: every file by itself, for the smallest and the largest N, and for treelets of one and of three levels.
 for file in "$gateware"/*.v "$gateware"/harness/*.v; do
   for n in 2 8; do
     parameter=()
     if grep -q 'parameter N ' "$file"; then parameter=("-P$(basename "$file" .v).N=$n"); fi
+    if grep -q 'parameter D ' "$file"; then parameter+=("-P$(basename "$file" .v).D=$((n == 2 ? 1 : 3))"); fi
     iverilog -Wall -g2005 -t null "${parameter[@]}" -y "$gateware" -y "$gateware/harness" -I "$gateware" "$file" \
       >out 2>err || fail "iverilog $file"
     [[ ! -s out && ! -s err ]] || fail "iverilog -Wall $file has warnings"
     if command -v verilator >/dev/null; then
-      verilator --lint-only -Wall "${parameter[@]/#-P*.N=*/-GN=$n}" -y "$gateware" -y "$gateware/harness" "-I$gateware" "$file" \
+      verilator --lint-only -Wall "${parameter[@]/#-P*./-G}" -y "$gateware" -y "$gateware/harness" "-I$gateware" "$file" \
         >out 2>err || fail "verilator $file"
       [[ ! -s err ]] || fail "verilator -Wall $file has warnings"
     fi
@@ -40,7 +41,8 @@ done
 for tool in verilator yosys; do command -v $tool >/dev/null || echo "skipped: lint by $tool, which is not installed"; done
 
 # Vectors: all twins, all kinds of stalls; the same counts as the C++ modules.
-twins=(axis_compressor scale_estimator node_pair_compressor node_pair_compressor_serial context_stack backtrack_unit)
+twins=(axis_compressor scale_estimator node_pair_compressor node_pair_compressor_serial context_stack backtrack_unit
+  treelet_collector)
 for unit in "${twins[@]}"; do
   expect 0 units "$unit"
   says out "gateware,golden,rtl"
@@ -51,10 +53,14 @@ for unit in "${twins[@]}"; do
     tail -n 1 out | cmp - gateware || fail "$unit --stalls $stalls: counts differ between gateware and rtl"
   done
   for n in 2 3 5 7 8; do
-    [[ $unit == context_stack ]] && continue
+    [[ $unit == context_stack || $unit == treelet_collector ]] && continue
     expect 0 gen --unit "$unit" --bits $n --cases 400 --seed $n -o n.bin
     expect 0 check n.bin --backend gateware --stalls both
   done
+done
+for levels in 1 3; do
+  expect 0 gen --unit treelet_collector --bits $((2 + 2 * levels)) --treelet $levels --cases 21 --seed $levels -o d.bin
+  expect 0 check d.bin --backend gateware --stalls both
 done
 expect 0 regress --backend gateware --unit axis_compressor --json report.json
 json "j['failed'] == 0 and j['passed'] > 100000"
@@ -99,6 +105,10 @@ mutant backtrack_unit reencode_axis.v 's/full = ~(|s)/full = 1'"'"'b0/'
 mutant backtrack_unit reencode_axis.v 's/rounds_up = |(old_to/rounds_up = |(old_from/'
 mutant backtrack_unit own_grid.v 's/figure5 ? cells : cells - /figure5 ? cells - 1'"'"'b1 : cells - /'
 mutant backtrack_unit context_changed.v 's/relative \& lower/lower/'
+mutant treelet_collector treelet_assembler.v 's/left = \&inner ? entries\[second\]/left = \&inner ? entries[top]/'
+mutant treelet_collector treelet_row.v 's/refused <= root ? .*/refused <= tree_status;/'
+mutant treelet_collector treelet_levels.v 's/reason = above/reason = `CBVH_STATUS_OK/'
+mutant treelet_collector final_queue.v 's/beyond_tail\[D\]}/1'"'"'b0}/'
 
 # Verilog that does not compile is bad input, not a mismatch.
 sed -i 's/endmodule//' broken/skid_buffer.v
