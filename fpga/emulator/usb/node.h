@@ -8,8 +8,8 @@
 #include <mutex>
 #include <set>
 
-#include "fpga/emulator/link/function.h"
 #include "fpga/emulator/link/descriptors.h"
+#include "fpga/emulator/link/function.h"
 #include "fpga/emulator/usb/urb.h"
 #include "fpga/emulator/usb/wake_pipe.h"
 
