@@ -23,11 +23,9 @@ void FtdiFunction::power_on() {
 }
 
 std::optional<std::vector<std::uint8_t>> FtdiFunction::control(const Setup& setup) {
-  using Answer = std::optional<std::vector<std::uint8_t>>;
-  const Answer nothing = std::vector<std::uint8_t>();
-  const Answer stalled;
+  std::optional<std::vector<std::uint8_t>> nothing = std::vector<std::uint8_t>();
   const bool into_host = setup.request_type == kVendorIn;
-  if (!into_host && setup.request_type != kVendorOut) return stalled;
+  if (!into_host && setup.request_type != kVendorOut) return std::nullopt;
   // The low byte of the index is the interface, from 1; of a chip with one it may be 0.
   const std::uint8_t interface = static_cast<std::uint8_t>(setup.index & 0xFFU);
   const bool ours = interface == channel_ + 1 || (interface == 0 && channel_ == 0);
@@ -43,12 +41,12 @@ std::optional<std::vector<std::uint8_t>> FtdiFunction::control(const Setup& setu
       case Request::read_eeprom:
         return std::vector<std::uint8_t>{0xFF, 0xFF};  // there is none
       default:
-        return stalled;
+        return std::nullopt;
     }
   }
   switch (request) {
     case Request::reset:
-      if (setup.value > kLastReset) return stalled;
+      if (setup.value > kLastReset) return std::nullopt;
       if (ours && setup.value <= kPurgeReceived) received_.clear();
       return nothing;
     case Request::baud_rate:
@@ -56,7 +54,7 @@ std::optional<std::vector<std::uint8_t>> FtdiFunction::control(const Setup& setu
       if (ours) divisor_ = setup.value | (std::uint32_t{setup.index} >> 8U << 16U);
       return nothing;
     case Request::set_latency:
-      if (setup.value == 0 || setup.value > kLastLatency) return stalled;
+      if (setup.value == 0 || setup.value > kLastLatency) return std::nullopt;
       if (ours) latency_ = std::chrono::milliseconds(setup.value);
       return nothing;
     case Request::bit_mode:
@@ -69,7 +67,7 @@ std::optional<std::vector<std::uint8_t>> FtdiFunction::control(const Setup& setu
     case Request::error_character:
       return nothing;
     default:
-      return stalled;
+      return std::nullopt;
   }
 }
 

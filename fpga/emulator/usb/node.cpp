@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <stdexcept>
 
 namespace cbvh::emulator {
@@ -22,7 +23,6 @@ std::string hex(const std::vector<std::uint8_t>& bytes) { return fmt::format("{:
 std::string describe_device(Transport transport, const UsbIdentity& identity, unsigned number) {
   return fmt::format(
       "P: /devices/pci0000:00/0000:00:14.0/usb1/1-1\n"
-      "N: bus/usb/{0:03}/{1:03}\n"
       "E: DEVTYPE=usb_device\nE: DRIVER=usb\nE: SUBSYSTEM=usb\n"
       "E: DEVNAME=/dev/bus/usb/{0:03}/{1:03}\nE: BUSNUM={0:03}\nE: DEVNUM={1:03}\nE: MAJOR=189\nE: MINOR={2}\n"
       "E: PRODUCT={3:x}/{4:x}/100\n"
@@ -44,22 +44,25 @@ std::string describe_device(Transport transport, const UsbIdentity& identity, un
 
 UsbNode::UsbNode(UMockdevTestbed& testbed, Transport transport, Function& function, unsigned number)
     : testbed_(testbed), transport_(transport), function_(function), identity_(identity_of(transport)) {
-  GError* error = nullptr;
-  if (umockdev_testbed_add_from_string(&testbed, describe_device(transport, identity_, number).c_str(), &error) == 0) {
-    refuse("cannot add the device", error);
-  }
   device_path_ = "/sys/devices/pci0000:00/0000:00:14.0/usb1/1-1";
   node_path_ = fmt::format("/dev/bus/usb/{:03}/{:03}", kBus, number);
   const std::unique_ptr<gchar, decltype(&g_free)> root(umockdev_testbed_get_root_dir(&testbed), g_free);
-  pipe_ = std::make_unique<WakePipe>(root.get() + node_path_);
+  const std::filesystem::path node = root.get() + node_path_;
+  std::filesystem::create_directories(node.parent_path());
+  pipe_ = std::make_unique<WakePipe>(node);
   handler_.reset(umockdev_ioctl_base_new());
   g_signal_connect(handler_.get(), "handle-ioctl", G_CALLBACK(on_ioctl), this);
   g_signal_connect(handler_.get(), "client-vanished", G_CALLBACK(on_vanished), this);
+  GError* error = nullptr;
   if (umockdev_testbed_attach_ioctl(&testbed, node_path_.c_str(), handler_.get(), &error) == 0) {
     refuse("cannot answer the device's ioctls", error);
   }
   if (transport != Transport::bulk) {  // a driver of the kernel's takes such chips, as serial ports
     for (unsigned interface = 0; interface < interface_count(transport); ++interface) drivers_.insert(interface);
+  }
+  // Last: from now on programs find it.
+  if (umockdev_testbed_add_from_string(&testbed, describe_device(transport, identity_, number).c_str(), &error) == 0) {
+    refuse("cannot add the device", error);
   }
   umockdev_testbed_uevent(&testbed, device_path_.c_str(), "add");
 }

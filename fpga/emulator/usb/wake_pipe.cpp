@@ -19,7 +19,6 @@ constexpr mode_t kEveryone = 0666;
 }  // namespace
 
 WakePipe::WakePipe(const std::string& path) : path_(path), file_(-1) {
-  unlink(path.c_str());
   if (mkfifo(path.c_str(), kEveryone) == 0) file_ = open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   if (file_ < 0 || fcntl(file_, F_SETPIPE_SZ, kPipeBytes) < 0) {
     throw std::runtime_error(fmt::format("{}: cannot make the pipe: {}", path, std::strerror(errno)));

@@ -9,7 +9,7 @@ namespace cbvh::emulator {
 /// file is always writable, and libusb would spin. So the node is a pipe, kept full while there is nothing to reap.
 class WakePipe {
  public:
-  /// Replaces the file. Throws std::runtime_error when it cannot.
+  /// Makes the pipe; removes it at the end. Throws std::runtime_error when it cannot.
   explicit WakePipe(const std::string& path);
   ~WakePipe();
   WakePipe(const WakePipe&) = delete;
