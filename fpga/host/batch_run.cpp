@@ -29,8 +29,7 @@ void BatchRun::complete() {
       if (!std::exchange(prepared, true)) session_.prepare(wanted_);
       step();
     } catch (const LinkError& found) {
-      const bool may_pass = found.fault() == LinkFault::gone || found.fault() == LinkFault::timeout;
-      if (given_up_ || !may_pass) throw;
+      if (given_up_ || !may_pass(found.fault())) throw;
       error = found;
     }
   }

@@ -27,6 +27,11 @@ enum class LinkFault : std::uint8_t {
   refused,     ///< it answered with an error that sending again does not cure
 };
 
+/// Whether connecting again, or a reset, may cure it.
+constexpr bool may_pass(LinkFault fault) {
+  return fault == LinkFault::gone || fault == LinkFault::timeout || fault == LinkFault::overflow;
+}
+
 /// Its place is the device. The message says what is wrong and what to do.
 class LinkError : public golden::InputError {
  public:

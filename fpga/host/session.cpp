@@ -24,7 +24,15 @@ std::string first_unit_names(const BoardHello& board) {
 
 Session::Session(std::unique_ptr<Transport> transport, const SessionOptions& options)
     : options_(options), transport_(std::move(transport)), link_(*transport_, options.timeout) {
-  start();
+  for (unsigned attempt = 1;; ++attempt) {
+    try {
+      start();
+      return;
+    } catch (const LinkError& error) {  // a timeout has been tried often enough
+      if (error.fault() == LinkFault::timeout || !may_pass(error.fault()) || attempt == options_.tries) throw;
+      if (error.fault() == LinkFault::gone && !transport_->reconnect(options_.reconnect_timeout)) throw;
+    }
+  }
 }
 
 const OfferedUnit* Session::find(std::string_view unit) const {

@@ -33,4 +33,17 @@ void require_unit(const Backend& backend, const vectors::UnitDescription& unit) 
       fmt::format("backend {}: has no unit '{}', only: {}", backend.name(), unit.name, fmt::join(names, ", ")));
 }
 
+void require_parameters(const Backend& backend, const vectors::VectorSet& set) {
+  const vectors::UnitDescription& unit = set.unit();
+  if (backend.takes(unit, set.parameters())) return;
+  std::vector<std::string> known;
+  for (const int bits : unit.bits) {
+    for (const int treelet : unit.treelets) {
+      if (backend.takes(unit, {bits, treelet})) known.push_back(fmt::format("N = {} D = {}", bits, treelet));
+    }
+  }
+  throw Unavailable(fmt::format("backend {}: has no unit '{}' with N = {} D = {}, only: {}", backend.name(), unit.name,
+                                set.parameters().bits, set.parameters().treelet, fmt::join(known, ", ")));
+}
+
 }  // namespace cbvh::testbench

@@ -11,7 +11,7 @@
 
 namespace cbvh::testbench {
 
-/// Whoever takes stimuli and gives responses: the golden, the C++ modules, the gateware, later a board.
+/// Whoever takes stimuli and gives responses: the golden, the C++ modules, the gateware, a board.
 class Backend {
  public:
   virtual ~Backend() = default;
@@ -19,6 +19,11 @@ class Backend {
   virtual std::string name() const = 0;
   /// Whether it has this unit's face.
   virtual bool has(const vectors::UnitDescription& unit) const = 0;
+  /// Whether it has the face with these parameters.
+  virtual bool takes(const vectors::UnitDescription& unit, const vectors::Parameters& parameters) const {
+    static_cast<void>(parameters);
+    return has(unit);
+  }
   /// Empty, or why it cannot run here and now: the command then exits 77.
   virtual std::string why_unavailable() const { return {}; }
   /// Whether its channels can be made to stall, and its modules be evaluated in another order.
@@ -37,5 +42,7 @@ std::unique_ptr<Backend> make_backend(const std::string& name);
 std::vector<std::string> backend_names();
 /// Throws Unavailable, naming the units it has, when the backend lacks one of this name.
 void require_unit(const Backend& backend, const vectors::UnitDescription& unit);
+/// The same for parameters of a unit that it has.
+void require_parameters(const Backend& backend, const vectors::VectorSet& set);
 
 }  // namespace cbvh::testbench

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "testbench/board/connection.h"
 #include "testbench/command_line.h"
 #include "testbench/output.h"
 #include "testbench/regression/check_set.h"
@@ -62,6 +63,7 @@ PlannedSet plan_backend(const Options& options, const std::string& backend,
   PlannedSet plan;
   const auto runs = make_backend(backend);
   require_unit(*runs, pieces[0]->unit());
+  require_parameters(*runs, *pieces[0]);
   if (runs->stalls()) plan.run.stalls = parse_stalls(options.stalls);
   plan.run.stall_seed = pieces[0]->seed();
   if (runs->shuffles()) plan.run.shuffle = options.shuffle;
@@ -82,6 +84,9 @@ PlannedSet plan_backend(const Options& options, const std::string& backend,
 
 int run(const Options& options) {
   parse_stalls(options.stalls);
+  if (options.stalls != "none" && options.backend == "board") {
+    throw golden::InputError("--stalls", "backend board cannot be made to stall, want none");
+  }
   const auto backend = make_backend(options.backend);
   if (options.shuffle && !backend->shuffles()) {
     throw golden::InputError("--shuffle", fmt::format("backend {} has no order of evaluation", options.backend));
@@ -120,6 +125,7 @@ void add_check_command(CommandLine& commands) {
   command.add_option("--only", options->only, "only the case of this id")->type_name("ID");
   command.add_flag("--dump-case", options->dump_case, "print the case of --only as a vector file");
   command.add_option("--threads", options->threads, "threads; 0: one a core")->capture_default_str();
+  add_board_options(command);
   options->output.add_option(command);
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "golden/tree/atomic_file.h"
+#include "testbench/board/connection.h"
 #include "testbench/command_line.h"
 #include "testbench/output.h"
 #include "testbench/report/junit.h"
@@ -57,6 +58,7 @@ void add_regress_command(CommandLine& commands) {
   command.add_option("--set", regression.set, "only sets of this name")->type_name("NAME");
   command.add_option("--only", regression.only, "only the case of this id")->type_name("ID");
   command.add_option("--junit", options->junit, "also write JUnit XML")->type_name("FILE");
+  add_board_options(command);
   options->output.add_option(command);
 }
 

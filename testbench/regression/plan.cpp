@@ -183,11 +183,13 @@ std::vector<PlannedSet> make_plan(const RegressionOptions& options) {
     for (const std::string& unit : options.units) require_unit(*backend, vectors::find_unit(unit));
     std::vector<RunOptions> modes = all_modes;
     if (!backend->shuffles()) std::erase_if(modes, [](const RunOptions& mode) { return mode.shuffle.has_value(); });
+    if (!backend->stalls()) std::erase_if(modes, [](const RunOptions& mode) { return mode.stalls != Stalls::none; });
     for (const vectors::UnitDescription& unit : vectors::units()) {
       if (!options.wants(unit.name) || !backend->has(unit)) continue;
       const std::uint64_t cases = unit.stateful ? suite.stateful_cases : suite.stateless_cases;
       for (const int bits : common(suite.bits, unit.bits)) {
         for (const int treelet : common(suite.treelets, unit.treelets)) {
+          if (!backend->takes(unit, {bits, treelet})) continue;
           for (const RunOptions& mode : modes)
             plan.push_back(generated_set(unit, {bits, treelet}, cases, name, mode, options));
         }
@@ -195,7 +197,7 @@ std::vector<PlannedSet> make_plan(const RegressionOptions& options) {
     }
     const auto append_fixed = [&](const std::string& set_name, std::unique_ptr<vectors::VectorSet> made) {
       const std::shared_ptr<const vectors::VectorSet> cases = std::move(made);
-      if (!options.wants(cases->unit().name) || !backend->has(cases->unit())) return;
+      if (!options.wants(cases->unit().name) || !backend->takes(cases->unit(), cases->parameters())) return;
       for (const RunOptions& mode : modes) plan.push_back(fixed_set(set_name, cases, name, mode, options));
     };
     for (const CommittedSet& committed : committed_sets()) {

@@ -169,7 +169,15 @@ TEST(Session, errors_of_the_beginning_are_distinct_and_say_what_to_do) {
   connect([](Rig& rig) { rig.board.mute = true; }, LinkFault::timeout, "no answer to RESET, 3 times within 2000 ms");
   connect([](Rig& rig) { rig.board.version = 2; }, LinkFault::protocol_version, "version 2 of the protocol");
   connect([](Rig& rig) { rig.board.hello.firmware_version = 0x0305; }, LinkFault::firmware_version, "version 3.5");
-  connect([](Rig& rig) { rig.transport->unplug(); }, LinkFault::gone, "unplugged");
+  connect(
+      [](Rig& rig) {
+        rig.transport->unplug();
+        rig.transport->comes_back = false;
+      },
+      LinkFault::gone, "unplugged");
+  Rig rig;
+  rig.transport->unplug();
+  EXPECT_NO_THROW(rig.connect());  // it comes back
 }
 
 TEST(Session, units_and_parameters_that_the_board_has_not_are_named) {
