@@ -2,6 +2,7 @@
 #include "testbench/board/connection.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "testbench/unavailable.h"
 
@@ -35,6 +36,7 @@ void BoardConnection::open() {
   const host::BoardChoice choice = host::BoardChoice::parse("--device", settings.device);
   host::SessionOptions options;
   options.timeout = host::Milliseconds(settings.timeout_ms);
+  options.reconnect_timeout = std::min(options.reconnect_timeout, 10 * options.timeout);
   try {
     host::OpenOptions how;
     how.baud = settings.baud;
