@@ -26,9 +26,9 @@ std::string take_name(ByteReader& in) {
 }
 
 template <class Message>
-std::optional<Message> if_finished(const ByteReader& in, Message&& message) {
+std::optional<Message> if_finished(const ByteReader& in, Message message) {
   if (!in.finished()) return std::nullopt;
-  return std::move(message);
+  return message;
 }
 
 void append_zeros(Bytes& out, std::size_t count) { out.resize(out.size() + count); }
@@ -51,7 +51,7 @@ std::optional<OpenRequest> OpenRequest::parse(ByteSpan payload) {
   request.bits = in.take<std::uint8_t>();
   request.treelet = in.take<std::uint8_t>();
   in.take(2);
-  return if_finished(in, std::move(request));
+  return if_finished(in, request);
 }
 
 Bytes Batch::to_payload() const {
@@ -162,7 +162,7 @@ std::optional<OpenAnswer> OpenAnswer::parse(ByteSpan payload) {
   in.take(2);
   answer.stimulus_width = in.take<std::uint32_t>();
   answer.response_width = in.take<std::uint32_t>();
-  return if_finished(in, std::move(answer));
+  return if_finished(in, answer);
 }
 
 Bytes BatchResults::to_payload() const {
@@ -216,7 +216,7 @@ std::optional<BoardStatus> BoardStatus::parse(ByteSpan payload) {
                                &status.stale, &status.batches, &status.cycles}) {
     *value = in.take<std::uint32_t>();
   }
-  return if_finished(in, std::move(status));
+  return if_finished(in, status);
 }
 
 Bytes BoardCredit::to_payload() const {
@@ -248,7 +248,7 @@ std::optional<BoardError> BoardError::parse(ByteSpan payload) {
   in.take(2);
   error.sequence = in.take<std::uint32_t>();
   error.detail = in.take<std::uint32_t>();
-  return if_finished(in, std::move(error));
+  return if_finished(in, error);
 }
 
 std::string describe(const BoardError& error) {

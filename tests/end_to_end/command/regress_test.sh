@@ -33,7 +33,7 @@ expect 1 regress --unit axis_compressor --set 'generated bits=6' --only 99999999
 says out "zero checks"
 refuses "known: smoke, full" regress --suite smoky
 refuses "unknown unit 'axis'" regress --unit axis
-refuses "known: gateware, golden, rtl" regress --backend fpga
+refuses "known: board, gateware, golden, rtl" regress --backend fpga
 refuses "--shard" regress --shard 4
 refuses "--shard" regress --shard 5/4
 refuses "nothere.glb" regress --scene nothere.glb

@@ -65,7 +65,7 @@ sed '3s/0/1/' a.vec >crc.vec
 cmp -s a.vec crc.vec && fail "nothing was changed"
 expect 2 check crc.vec
 refuses "--backend" check a.vec --backend fpga
-says err "known: gateware, golden, rtl"
+says err "known: board, gateware, golden, rtl"
 refuses "known: none, source, sink, both" check a.vec --stalls some
 refuses "unknown unit 'axis'" gen --unit axis -o b.vec
 refuses "b.txt" gen --unit axis_compressor -o b.txt
