@@ -91,7 +91,11 @@ void define_unit(std::string& text, const vectors::UnitDescription& unit) {
   const bool any_treelet = unit.treelets.size() > 1;
   text += fmt::format("\n`ifdef CBVH_UNIT_{}\n", upper_case(unit.name));
   define(text, "UNIT", std::string(unit.name));
-  define(text, "UNIT_PARAMETERS", any_bits && any_treelet ? "#(.N(N), .D(D))" : any_bits ? "#(.N(N))" : any_treelet ? "#(.D(D))" : "");
+  define(text, "UNIT_PARAMETERS",
+         any_bits && any_treelet ? "#(.N(N), .D(D))"
+         : any_bits              ? "#(.N(N))"
+         : any_treelet           ? "#(.D(D))"
+                                 : "");
   define(text, "UNIT_ID", fmt::format("32'h{:08X}", host::unit_id(unit.name)));
   define(text, "UNIT_NAME", name_digits(unit.name));
   define(text, "UNIT_STATE", unit.stateful ? "1" : "0");

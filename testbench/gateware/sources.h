@@ -15,7 +15,7 @@ struct GatewareSource {
 std::vector<GatewareSource> gateware_sources();
 /// fpga/gateware/bench/ and harness/: what runs them.
 std::vector<GatewareSource> gateware_benches();
-/// fpga/gateware/engine/: the board's side of the link.
+/// fpga/gateware/engine/ and fpga/boards/common/: the board's side of the link.
 std::vector<GatewareSource> gateware_engine();
 
 }  // namespace cbvh::testbench

@@ -7,8 +7,10 @@ namespace cbvh::emulator {
 
 namespace {
 
-/// Of one call: about a tenth of a second.
+/// Of one request: about a tenth of a second.
 constexpr unsigned kMostClocks = 20'000;
+/// In one call of send, as long as nothing comes out.
+constexpr unsigned kMostRequests = 10;
 
 }  // namespace
 
@@ -28,7 +30,8 @@ void GatewareCore::advance() {
 }
 
 std::vector<std::uint8_t> GatewareCore::send(std::size_t most) {
-  if (out_.empty() && !ended_ && (!in_.empty() || queued_ || busy_)) advance();
+  for (unsigned i = 0; i < kMostRequests && out_.empty() && !ended_ && (!in_.empty() || queued_ || busy_); ++i)
+    advance();
   const auto end = out_.begin() + static_cast<std::ptrdiff_t>(std::min(most, out_.size()));
   std::vector<std::uint8_t> bytes(out_.begin(), end);
   out_.erase(out_.begin(), end);

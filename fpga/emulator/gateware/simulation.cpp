@@ -52,14 +52,20 @@ std::string compile(const SimulationOptions& options, const std::string& folder)
   if (!testbench::has_twin(vectors::find_unit(options.unit))) {
     throw testbench::Unavailable(fmt::format("gateware core: has no unit '{}'", options.unit));
   }
-  std::vector<std::string> command = {"iverilog", "-g2005", "-s", "engine_bench", "-D" + unit_macro(options.unit)};
+  std::vector<std::string> command = {"iverilog",
+                                      "-g2005",
+                                      "-s",
+                                      "engine_bench",
+                                      "-D" + unit_macro(options.unit),
+                                      fmt::format("-DCBVH_ENGINE={}", options.pins ? "uart_pins" : "frame_engine")};
   for (const auto& [name, value] :
-       {std::pair("N", options.bits), std::pair("BUFFERS", options.buffers), std::pair("BUFFER_BITS", options.buffer_bits),
-        std::pair("RESULT_BITS", options.result_bits)}) {
+       {std::pair("N", options.bits), std::pair("BUFFERS", options.buffers),
+        std::pair("BUFFER_BITS", options.buffer_bits), std::pair("RESULT_BITS", options.result_bits)}) {
     command.push_back(fmt::format("-Pengine_bench.{}={}", name, value));
   }
   if (const char* given = std::getenv("CBVH_GATEWARE")) command.insert(command.end(), {"-y", given, "-I", given});
-  for (const auto& sources : {testbench::gateware_sources(), testbench::gateware_benches(), testbench::gateware_engine()}) {
+  for (const auto& sources :
+       {testbench::gateware_sources(), testbench::gateware_benches(), testbench::gateware_engine()}) {
     for (const auto& source : sources) write_file(fmt::format("{}/{}", folder, source.name), source.bytes);
   }
   const std::string model = folder + "/engine.vvp";

@@ -15,10 +15,11 @@ namespace cbvh::emulator {
 struct SimulationOptions {
   std::string unit = "axis_compressor";
   int bits = 6;
-  int buffers = 2;                            ///< batch buffers, 1 or 2
-  int buffer_bits = 12;                       ///< 2^buffer_bits bytes each
-  int result_bits = 12;                       ///< the buffer of results has 2^result_bits bytes
-  std::optional<std::uint32_t> stalls = {};   ///< seed: both streams are held back at random
+  int buffers = 2;                           ///< batch buffers, 1 or 2
+  int buffer_bits = 12;                      ///< 2^buffer_bits bytes each
+  int result_bits = 12;                      ///< the buffer of results has 2^result_bits bytes
+  bool pins = false;                         ///< behind the serial line of fpga/boards/common/, bit by bit
+  std::optional<std::uint32_t> stalls = {};  ///< seed: both streams are held back at random
 };
 
 /// fpga/gateware/bench/engine_bench.v under Icarus Verilog, in a process of its own. One request is under way at a

@@ -2,7 +2,7 @@
 // The frame engine behind stdin and stdout, for fpga/emulator/gateware_core.cpp. A request is `BYTES CLOCKS` and so many bytes in
 // hexadecimal; the simulation then runs until it has taken them and has nothing left to do, but not for more clocks. Its answer is the
 // bytes that came out, one a line, and `. LEFT BUSY`: bytes not taken yet, which stay queued, and whether it would go on.
-// BYTES -1 is power-on. +stalls=SEED holds both ends back at random.
+// BYTES -1 is power-on. +stalls=SEED holds both ends back at random. `CBVH_ENGINE is frame_engine, or uart_pins.
 module engine_bench;
   parameter N = 6;
   parameter BUFFERS = 2;
@@ -22,7 +22,7 @@ module engine_bench;
   wire       busy;
   wire       running, listening, is_open;
 
-  frame_engine #(
+  `CBVH_ENGINE #(
       .N(N),
       .BUFFERS(BUFFERS),
       .BUFFER_BITS(BUFFER_BITS),

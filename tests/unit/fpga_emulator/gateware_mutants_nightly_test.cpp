@@ -1,0 +1,112 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+// Broken gateware behind the link is noticed: each mutant of the frame engine or of what is in it says something else.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "fpga/emulator/gateware/gateware_core.h"
+#include "testbench/gateware/simulator.h"
+#include "testbench/gateware/sources.h"
+#include "transcript.h"
+
+namespace cbvh::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+using emulator::GatewareCore;
+using emulator::ModelCore;
+
+/// The engine's Verilog with one place changed, used as long as this lives.
+class Mutant {
+ public:
+  Mutant(const std::string& file, const std::string& from, const std::string& to) {
+    std::size_t changed = 0;
+    for (const auto& sources :
+         {testbench::gateware_sources(), testbench::gateware_benches(), testbench::gateware_engine()}) {
+      for (const auto& source : sources) {
+        std::string text(source.bytes);
+        const std::size_t at = text.find(from);
+        if (source.name == file && at != std::string::npos && text.find(from, at + 1) == std::string::npos) {
+          text.replace(at, from.size(), to);
+          ++changed;
+        }
+        std::ofstream(fs::path(folder_.path()) / source.name) << text;
+      }
+    }
+    EXPECT_EQ(changed, 1U) << file << ": " << from;
+    setenv("CBVH_GATEWARE", folder_.path().c_str(), 1);
+  }
+  ~Mutant() { unsetenv("CBVH_GATEWARE"); }
+
+ private:
+  testbench::TemporaryFolder folder_;
+};
+
+/// What the model does in another order: batches that come before there is a buffer for them.
+Transcript run_burst(emulator::Core& core) {
+  const auto set = vectors::generate_set("axis_compressor", {6, 1}, 50, 5);
+  const host::Bytes payload = PackedBatch(*set).batch.to_payload();
+  host::Bytes bytes;
+  host::append_frame(bytes, host::FrameType::open, 0, open_payload("axis_compressor", 6, 1));
+  for (std::uint32_t i = 1; i <= 4; ++i) host::append_frame(bytes, host::FrameType::vectors, i, payload);
+  host::append_frame(bytes, host::FrameType::status, 5);
+  Transcript talk(core);
+  talk.turn(bytes);
+  return talk;
+}
+
+TEST(GatewareCoreMutants, each_is_noticed) {
+  if (!testbench::why_no_simulator().empty()) GTEST_SKIP() << testbench::why_no_simulator();
+  struct Place {
+    const char *file, *from, *to;
+  };
+  const Place places[] = {
+      {"crc32c_byte.v", "32'h82F63B78", "32'h82F63B79"},
+      {"frame_receiver.v", "else filled <= 5'd15;", "else filled <= 5'd0;"},
+      {"frame_receiver.v", "HUNT;\n          filled <= 5'd15;", "HUNT;\n          filled <= 5'd0;"},
+      {"frame_sender.v", "? ~crc :", "? crc :"},
+      {"frame_engine.v", "credit = next_number + BUFFER_COUNT - {30'd0, used}", "credit = next_number + BUFFER_COUNT"},
+      {"frame_engine.v", "lost        <= lost + ahead;", "lost        <= lost + 1;"},
+      {"frame_engine.v", "takes = counts && !ahead[31]", "takes = counts"},
+      {"frame_engine.v", "if (end_valid && !end_good)", "if (end_valid)"},
+      {"batch_runner.v", "record[31:0] <= latency;", "record[31:0] <= latency + 1;"},
+      {"batch_runner.v", "unit_reset   <= 1'b1;", "unit_reset   <= 1'b0;"},
+      {"batch_runner.v", "source_valid <= 1'b0;\n        end\n        if (popped)", "end\n        if (popped)"},
+      {"unit_socket.v", "taken = stimuli_valid & stimuli_ready", "taken = stimuli_ready"},
+      {"axis_compressor.v", "upper_floor_1 + 26'sd1", "upper_floor_1"},
+      {"skid_buffer.v", "out_data  = head ?", "out_data  = ~head ?"},
+  };
+  ModelCore model = model_core("axis_compressor", 6);
+  const Transcript vectors_wanted = run_vectors(model, "axis_compressor", 6, 40);
+  model.reset();
+  const Transcript errors_wanted = run_errors(model);
+  model.reset();
+  const Transcript noise_wanted = run_noise(model, 1);
+  GatewareCore whole;
+  const Transcript burst_wanted = run_burst(whole);
+  EXPECT_EQ(burst_wanted.frames, 6U);
+  ModelCore stack_model = model_core("context_stack", 6);
+  const Transcript stack_wanted = run_vectors(stack_model, "context_stack", 6, 10);
+  for (const Place& place : places) {
+    const Mutant mutant(place.file, place.from, place.to);
+    GatewareCore core;
+    bool noticed = !(run_vectors(core, "axis_compressor", 6, 40) == vectors_wanted);
+    core.reset();
+    noticed = noticed || !(run_errors(core) == errors_wanted);
+    core.reset();
+    noticed = noticed || !(run_burst(core) == burst_wanted);
+    core.reset();
+    noticed = noticed || !(run_noise(core, 1) == noise_wanted);
+    if (!noticed) {
+      GatewareCore stack({.unit = "context_stack"});
+      noticed = !(run_vectors(stack, "context_stack", 6, 10) == stack_wanted);
+    }
+    EXPECT_TRUE(noticed) << place.file << ": " << place.from;
+  }
+}
+
+}  // namespace
+}  // namespace cbvh::testing
