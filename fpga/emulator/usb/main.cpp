@@ -9,11 +9,13 @@
 #include <csignal>
 #include <cstring>
 
+#include "fpga/emulator/gateware/gateware_core.h"
 #include "fpga/emulator/model/model_core.h"
 #include "fpga/emulator/usb/board.h"
 #include "fpga/emulator/usb/preload.h"
 #include "golden/input_error.h"
 #include "testbench/exit_code.h"
+#include "testbench/unavailable.h"
 
 extern char** environ;
 
@@ -37,7 +39,13 @@ std::unique_ptr<emulator::Core> make_core(const Options& options) {
   if (options.core == "model") {
     return std::make_unique<emulator::ModelCore>(emulator::CoreOptions{.unit = options.unit, .bits = options.bits});
   }
-  throw golden::InputError("--core", fmt::format("found '{}', want model", options.core));
+  if (options.core == "gateware") {
+    emulator::SimulationOptions simulation;
+    if (!options.unit.empty()) simulation.unit = options.unit;
+    simulation.bits = options.bits.value_or(simulation.bits);
+    return std::make_unique<emulator::GatewareCore>(simulation);
+  }
+  throw golden::InputError("--core", fmt::format("found '{}', want model, gateware", options.core));
 }
 
 /// The command's exit code, 128 and more after a signal. Throws InputError when it cannot be started.
@@ -83,7 +91,8 @@ int main(int argc, char** argv) {
       "code on.",
       "cbvh_emulator");
   app.add_option("--transport", options.transport, "bulk (1209:b5c0), ftdi-uart (FT2232H) or ftdi-fifo (FT232H)");
-  app.add_option("--core", options.core, "what is inside: model, the C++ modules");
+  app.add_option("--core", options.core,
+                 "what is inside: model, the C++ modules, or gateware, the Verilog of one unit");
   app.add_option("--unit", options.unit, "the only unit it has");
   app.add_option("--bits", options.bits, "the only N it has");
   app.add_option(
@@ -103,6 +112,9 @@ int main(int argc, char** argv) {
     return testbench::kPass;
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "cbvh_emulator: {}\n", error.what());
+  } catch (const testbench::Unavailable& error) {
+    fmt::print(stderr, "cbvh_emulator: {}\n", error.what());
+    return testbench::kSkipped;
   } catch (const std::exception& error) {
     fmt::print(stderr, "cbvh_emulator: {}\n", error.what());
   }

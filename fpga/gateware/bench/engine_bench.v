@@ -49,7 +49,7 @@ module engine_bench;
   task step;
     begin
       in_valid  = head != tail && (stalls == 0 || $random(seed) % 4 != 0);
-      in_data   = queue[head%QUEUE];
+      in_data   = queue[head];
       out_ready = stalls == 0 || $random(seed) % 4 != 0;
       #1;
       if (in_valid & in_ready) head = head + 1;
@@ -83,7 +83,7 @@ module engine_bench;
       end
       while (count > 0) begin
         fields = $fscanf(STDIN, "%h", value);
-        queue[tail%QUEUE] = value;
+        queue[tail] = value;
         tail = tail + 1;
         count = count - 1;
       end

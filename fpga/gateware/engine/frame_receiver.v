@@ -42,29 +42,26 @@ module frame_receiver (
       .next (crc_next)
   );
 
-  assign in_ready      = state == PAYLOAD || state == CHECKSUM || (state == HUNT && !full);
+  assign in_ready      = state == PAYLOAD || state == CHECKSUM || (state == HUNT && !(full && magic));
   assign header_valid  = state == HEADER;
   assign {length, number, kind, version} = window[95:16];
   assign payload_valid = state == PAYLOAD && moves;
   assign payload_data  = in_data;
   assign end_valid     = state == VERDICT;
   assign end_good      = crc == `CBVH_CRC32C_RESIDUE;
-  assign skipped       = (state == HUNT && full && !magic) || (state == CHECK && last && crc_next != `CBVH_CRC32C_RESIDUE);
-  assign busy          = state == CHECK || state == HEADER || state == VERDICT || full;
+  assign skipped       = (state == HUNT && full && moves) || (state == CHECK && last && crc_next != `CBVH_CRC32C_RESIDUE);
+  assign busy          = state == CHECK || state == HEADER || state == VERDICT || (full && magic);
 
   always @(posedge clk) begin
     case (state)
       HUNT: begin
         if (moves) begin
           window <= {in_data, window[127:8]};
-          filled <= filled + 5'd1;
+          if (!full) filled <= filled + 5'd1;
         end
         crc  <= 32'hFFFFFFFF;
         left <= 32'd16;
-        if (full) begin
-          if (magic) state <= CHECK;
-          else filled <= 5'd15;
-        end
+        if (full && magic) state <= CHECK;
       end
       CHECK: begin  // the window turns once, so that it is as before
         window <= {window[7:0], window[127:8]};

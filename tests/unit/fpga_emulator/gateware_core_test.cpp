@@ -33,8 +33,8 @@ TEST_F(GatewareCoreTest, gives_the_models_responses_and_latencies_for_every_unit
   for (const auto& [unit, bits] : units) {
     GatewareCore gateware({.unit = unit, .bits = bits});
     ModelCore model = model_core(unit, bits);
-    const Transcript found = run_vectors(gateware, unit, bits, 60);
-    EXPECT_TRUE(found == run_vectors(model, unit, bits, 60)) << unit << " N = " << bits;
+    const Transcript found = run_vectors(gateware, unit, bits, 24);
+    EXPECT_TRUE(found == run_vectors(model, unit, bits, 24)) << unit << " N = " << bits;
     EXPECT_GE(found.frames, 4U);
   }
 }
@@ -43,7 +43,7 @@ TEST_F(GatewareCoreTest, streams_that_stall_change_nothing) {
   for (const std::uint32_t seed : {1U, 2U}) {
     GatewareCore gateware({.stalls = seed});
     ModelCore model = model_core("axis_compressor", 6);
-    EXPECT_TRUE(run_vectors(gateware, "axis_compressor", 6, 100) == run_vectors(model, "axis_compressor", 6, 100));
+    EXPECT_TRUE(run_vectors(gateware, "axis_compressor", 6, 40) == run_vectors(model, "axis_compressor", 6, 40));
     EXPECT_TRUE(run_errors(gateware) == run_errors(model));
   }
 }
@@ -52,9 +52,9 @@ TEST_F(GatewareCoreTest, says_the_same_through_the_pins_of_a_serial_line) {
   for (const std::uint32_t seed : {1U, 2U}) {  // the other end's clock is slow, fast
     GatewareCore gateware({.pins = true, .stalls = seed});
     ModelCore model = model_core("axis_compressor", 6);
-    const Transcript found = run_vectors(gateware, "axis_compressor", 6, 30);
+    const Transcript found = run_vectors(gateware, "axis_compressor", 6, 12);
     EXPECT_GE(found.frames, 4U);
-    EXPECT_TRUE(found == run_vectors(model, "axis_compressor", 6, 30));
+    EXPECT_TRUE(found == run_vectors(model, "axis_compressor", 6, 12));
   }
 }
 

@@ -65,7 +65,7 @@ TEST(GatewareCoreMutants, each_is_noticed) {
   };
   const Place places[] = {
       {"crc32c_byte.v", "32'h82F63B78", "32'h82F63B79"},
-      {"frame_receiver.v", "else filled <= 5'd15;", "else filled <= 5'd0;"},
+      {"frame_receiver.v", "if (full && magic) state", "if (full) state"},
       {"frame_receiver.v", "HUNT;\n          filled <= 5'd15;", "HUNT;\n          filled <= 5'd0;"},
       {"frame_sender.v", "? ~crc :", "? crc :"},
       {"frame_engine.v", "credit = next_number + BUFFER_COUNT - {30'd0, used}", "credit = next_number + BUFFER_COUNT"},

@@ -73,7 +73,8 @@ TEST(Regress, names_what_it_does_not_know) {
   };
   EXPECT_NE(error_of([](auto& o) { o.suite = "smoky"; }).find("'smoky', known: smoke, full"), std::string::npos);
   EXPECT_NE(error_of([](auto& o) { o.units = {"axis"}; }).find("axis_compressor"), std::string::npos);
-  EXPECT_NE(error_of([](auto& o) { o.backends = {"fpga"}; }).find("known: board, gateware, golden, rtl"), std::string::npos);
+  EXPECT_NE(error_of([](auto& o) { o.backends = {"fpga"}; }).find("known: board, gateware, golden, rtl"),
+            std::string::npos);
   EXPECT_NE(error_of([](auto& o) { o.stalls = {"some"}; }).find("known: none, source, sink, both"), std::string::npos);
   EXPECT_NE(error_of([](auto& o) { o.set = "x"; }).find("nothing to run"), std::string::npos);
 }
