@@ -1,7 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <libusb.h>
+#include <libusb-1.0/libusb.h>
 
 #include <atomic>
 #include <condition_variable>
