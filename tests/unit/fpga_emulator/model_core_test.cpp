@@ -312,14 +312,35 @@ TEST_F(ModelCoreErrors, no_unit_is_open_not_even_the_last_after_an_open_that_fai
   talk.expect_error(ErrorReason::not_open, 3, 0);
 }
 
-TEST_F(ModelCoreErrors, responses_that_do_not_fit) {
-  open_axis();
-  const std::size_t record = 4 + vectors::find_unit("axis_compressor").response(6).packed_bytes();
-  const std::size_t fit = (1000 - 16 - 4) / record;
-  talk.send(FrameType::vectors, axis_batch(fit));
-  EXPECT_EQ(expect_golden(*set, talk.receive_one(FrameType::results)), fit);
-  talk.send(FrameType::vectors, axis_batch(fit + 1));
-  talk.expect_error(ErrorReason::responses, talk.sequence - 1, 1000);
+TEST(ModelCore, as_many_responses_as_fit_exactly_and_not_one_more) {
+  constexpr std::uint32_t kFit = 40;
+  const auto record = static_cast<std::uint32_t>(4 + vectors::find_unit("axis_compressor").response(6).packed_bytes());
+  const std::uint32_t greatest = 16 + 4 + kFit * record;
+  ModelCore core({.greatest_payload_out = greatest});
+  Talk talk(core);
+  open(talk, "axis_compressor");
+  const auto set = vectors::generate_set("axis_compressor", kParameters, kFit, 5);
+  talk.send(FrameType::vectors, PackedBatch(*set).batch.to_payload());
+  EXPECT_EQ(expect_golden(*set, talk.receive_one(FrameType::results)), kFit);
+  const auto more = vectors::generate_set("axis_compressor", kParameters, kFit + 1, 5);
+  talk.send(FrameType::vectors, PackedBatch(*more).batch.to_payload());
+  talk.expect_error(ErrorReason::responses, 2, greatest);
+}
+
+TEST(ModelCore, bits_above_a_stimulus_mean_nothing) {
+  const auto set = vectors::generate_set("axis_compressor", kParameters, 20, 5);
+  const std::size_t bytes = set->stimulus_codec().packed_bytes();
+  const std::size_t width = set->stimulus_codec().width;
+  ASSERT_NE(width % 8, 0U);
+  PackedBatch packed(*set);
+  for (std::size_t i = bytes - 1; i < packed.packed[0].size(); i += bytes) {
+    packed.packed[0][i] = static_cast<std::uint8_t>(packed.packed[0][i] | (0xFFU << width % 8));
+  }
+  ModelCore core;
+  Talk talk(core);
+  open(talk, "axis_compressor");
+  talk.send(FrameType::vectors, packed.batch.to_payload());
+  EXPECT_EQ(expect_golden(*set, talk.receive_one(FrameType::results)), 20U);
 }
 
 TEST_F(ModelCoreErrors, surplus_responses_are_sent_as_far_as_they_fit) {
