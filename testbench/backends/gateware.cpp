@@ -122,7 +122,7 @@ class GatewareBackend final : public Backend {
 
   Responses run(const vectors::VectorSet& set, const RunOptions& options) const override {
     if (set.empty()) return Responses(set.response_codec().object_size);
-    const std::string text = simulate_twin(set, options, TraceKind::transfers);
+    const std::string text = simulate_twin(set, options);
     const std::vector<CaseTrace> traces = parse_trace(text);
     Reader reader(set.response_codec());
     if (set.unit().stateful) {

@@ -70,6 +70,10 @@ std::string parameters_of(const vectors::VectorSet& set) {
 /// Compiled models: one a unit, its parameters and size of memory.
 class Models {
  public:
+  std::string sources() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return source_folder();
+  }
   /// The path of the compiled model.
   std::string get(const vectors::VectorSet& set, std::size_t stimuli, std::size_t cases) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -183,13 +187,15 @@ std::string why_no_simulator() {
   return {};
 }
 
+std::string twin_folder() { return models().sources(); }
+
 bool has_twin(const vectors::UnitDescription& unit) {
   const std::string file = fmt::format("{}.v", unit.name);
   if (given_folder() != nullptr) return fs::exists(fs::path(given_folder()) / file);
   return holds(gateware_sources(), file);
 }
 
-std::string simulate_twin(const vectors::VectorSet& set, const RunOptions& options, TraceKind kind) {
+std::string simulate_twin(const vectors::VectorSet& set, const RunOptions& options) {
   const std::size_t cases = set.unit().stateful ? set.size() : 1;
   const std::string model = models().get(set, memory_words(set.stimulus_count()), memory_words(cases));
   const TemporaryFolder folder;
@@ -205,7 +211,6 @@ std::string simulate_twin(const vectors::VectorSet& set, const RunOptions& optio
                                       fmt::format("+drain={}", kDrainCycles)};
   if (options.stalls == Stalls::source || options.stalls == Stalls::both) command.emplace_back("+source_stalls");
   if (options.stalls == Stalls::sink || options.stalls == Stalls::both) command.emplace_back("+sink_stalls");
-  if (kind == TraceKind::ports) command.emplace_back("+lockstep");
   const std::string log = folder.path() + "/run.log";
   const int code = run_program(command, log);
   if (code != 0) throw std::runtime_error(fmt::format("vvp: exit code {}: {}", code, read_text_file(log)));

@@ -9,14 +9,11 @@
 
 namespace cbvh::testbench {
 
-/// What the bench writes of one run.
-enum class TraceKind {
-  transfers,  ///< cycles in which the unit took stimuli and gave responses: see fpga/gateware/bench/README.md
-  ports       ///< valid, ready and data of both channels in every cycle
-};
-
 /// Empty, or what is missing to simulate Verilog.
 std::string why_no_simulator();
+
+/// The folder of the twins: $CBVH_GATEWARE, or one with the files of fpga/gateware/ that lasts as long as the process.
+std::string twin_folder();
 
 /// Whether fpga/gateware/ has a twin of the unit. Where $CBVH_GATEWARE names a folder, its files are used instead.
 bool has_twin(const vectors::UnitDescription& unit);
@@ -24,6 +21,6 @@ bool has_twin(const vectors::UnitDescription& unit);
 /// Runs the cases of a set through the twin of its unit between two skid buffers, under Icarus Verilog: those of a unit
 /// without state as one stream, the others one by one from reset. Gives the bench's trace. Compiled models are kept for
 /// the life of the process. Throws InputError when the Verilog does not compile.
-std::string simulate_twin(const vectors::VectorSet& set, const RunOptions& options, TraceKind kind);
+std::string simulate_twin(const vectors::VectorSet& set, const RunOptions& options);
 
 }  // namespace cbvh::testbench

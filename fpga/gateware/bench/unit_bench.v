@@ -54,7 +54,7 @@ module unit_bench;
   reg [STIMULUS_WIDTH-1:0] stimuli[0:STIMULI-1];
   reg [255:0] cases[0:CASES-1];  // seeds of source, sink and memory, stimuli, responses wanted
   integer stimulus_count, case_count, hang_cycles, drain_cycles;
-  integer source_stalls, sink_stalls, lockstep;
+  integer source_stalls, sink_stalls;
   reg [8*1024:1] folder;
   integer trace;
 
@@ -105,18 +105,12 @@ module unit_bench;
       sink_ready   = ~sink_holds;
       memory_delay = sink_stalls != 0 ? mixed(memory_state + GAMMA) % 14 : 0;
       #1;
-      if (lockstep != 0) begin
-        $fwrite(trace, "%b%b %b%b", source_ready, jobs_valid, results_ready, sink_valid);
-        if (jobs_valid) $fwrite(trace, " %h", jobs_data);
-        if (sink_valid) $fwrite(trace, " %h", sink_data);
-        $fwrite(trace, "\n");
-      end
       if (jobs_valid & jobs_ready) begin
-        if (lockstep == 0) $fwrite(trace, "a %0d\n", cycle);
+        $fwrite(trace, "a %0d\n", cycle);
         accepted = accepted + 1;
       end
       if (sink_valid & sink_ready) begin
-        if (lockstep == 0) $fwrite(trace, "r %0d %h\n", sink_cycle, sink_data);
+        $fwrite(trace, "r %0d %h\n", sink_cycle, sink_data);
         given = given + 1;
       end
       if (source_valid & source_ready) sent = sent + 1;
@@ -169,7 +163,6 @@ module unit_bench;
     end
     source_stalls = $test$plusargs("source_stalls");
     sink_stalls = $test$plusargs("sink_stalls");
-    lockstep = $test$plusargs("lockstep");
     $readmemh({folder, "/stimuli.hex"}, stimuli, 0, stimulus_count - 1);
     $readmemh({folder, "/cases.hex"}, cases, 0, case_count - 1);
     trace = $fopen({folder, "/trace.txt"}, "w");
