@@ -29,7 +29,7 @@ Session::Session(std::unique_ptr<Transport> transport, const SessionOptions& opt
       start();
       return;
     } catch (const LinkError& error) {  // a timeout has been tried often enough
-      if (error.fault() == LinkFault::timeout || !may_pass(error.fault()) || attempt == options_.tries) throw;
+      if (error.fault() == LinkFault::timeout || !may_pass(error.fault()) || attempt > options_.recoveries) throw;
       if (error.fault() == LinkFault::gone && !transport_->reconnect(options_.reconnect_timeout)) throw;
     }
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,9 @@ class Loopback final : public host::Transport {
   std::array<unsigned, kFaults> rates{};
   std::array<std::uint64_t, kFaults> happened{};
   bool comes_back = true;
+  /// See every transfer before it is on its way, and may change it; an empty one is lost.
+  std::function<void(host::Bytes&)> to_board;
+  std::function<void(host::Bytes&)> to_host;
 
   std::string device() const override { return "loopback"; }
 
@@ -100,7 +104,9 @@ class Loopback final : public host::Transport {
   }
 
   void pass(Queue& queue, host::Bytes bytes) {
-    if (happens(Fault::drop)) return;
+    const auto& hook = &queue == &to_host_ ? to_host : to_board;
+    if (hook) hook(bytes);
+    if (bytes.empty() || happens(Fault::drop)) return;
     if (!bytes.empty() && happens(Fault::corrupt)) {
       std::uint8_t& byte = bytes[random_.below(bytes.size())];
       byte = static_cast<std::uint8_t>(byte ^ (1U << random_.below(8)));

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -289,6 +291,58 @@ TEST(Session, wrong_missing_and_surplus_responses_reach_the_sink) {
               results.episodes[0] = {21, false, false, changed};
             }),
             (Counts{20, 1, 0, 0}));
+}
+
+/// Calls change for the first transfer that begins with a frame of this type.
+std::function<void(Bytes&)> first_of(FrameType type, std::function<void(Bytes&)> change) {
+  return [=, done = false](Bytes& bytes) mutable {
+    if (done || bytes.size() < kHeaderBytes || bytes[3] != static_cast<std::uint8_t>(type)) return;
+    done = true;
+    change(bytes);
+  };
+}
+
+TEST(Session, a_lost_batch_is_sent_again_as_soon_as_a_later_one_is_answered) {
+  for (const bool to_board : {true, false}) {
+    Rig rig;
+    rig.connect();
+    const auto lose = [](Bytes& bytes) { bytes.clear(); };
+    (to_board ? rig.transport->to_board : rig.transport->to_host) =
+        first_of(to_board ? FrameType::vectors : FrameType::results, lose);
+    const Clock::time_point start = rig.transport->now();
+    EXPECT_TRUE(rig.run(*axis(2000)));
+    EXPECT_LT(rig.transport->now() - start, Milliseconds(100)) << "it waited for a timeout";
+    EXPECT_EQ(rig.session->counters().resent, 1u);
+    EXPECT_EQ(rig.session->counters().recoveries, 0u);
+  }
+}
+
+TEST(Session, frames_that_come_twice_are_dropped_and_nothing_is_sent_again) {
+  Rig rig;
+  rig.connect();
+  rig.transport->rates[static_cast<std::size_t>(Fault::duplicate)] = 1000;
+  EXPECT_TRUE(rig.run(*axis(2000)));
+  EXPECT_EQ(rig.session->counters().resent, 0u);
+  EXPECT_GE(rig.session->link_counters().stale, rig.session->counters().batches);
+  EXPECT_EQ(rig.board.batches_run, rig.session->counters().batches);
+  EXPECT_EQ(rig.board.without_credit, 0u);
+}
+
+TEST(Session, a_board_that_waits_for_the_end_of_a_cut_frame_is_reset) {
+  Rig rig;
+  rig.connect();
+  rig.transport->to_board = first_of(FrameType::vectors, [](Bytes& bytes) { bytes.resize(200); });
+  EXPECT_TRUE(rig.run(*axis(100)));
+  EXPECT_EQ(rig.session->counters().recoveries, 1u);
+}
+
+TEST(Session, a_cut_answer_is_given_up_and_asked_for_again_without_a_reset) {
+  Rig rig;
+  rig.connect();
+  rig.transport->to_host = first_of(FrameType::results, [](Bytes& bytes) { bytes.resize(200); });
+  EXPECT_TRUE(rig.run(*axis(50)));
+  EXPECT_EQ(rig.session->counters().recoveries, 0u);
+  EXPECT_EQ(rig.session->counters().resent, 1u);
 }
 
 struct Tally {
