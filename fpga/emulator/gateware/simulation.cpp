@@ -68,7 +68,7 @@ std::string compile(const SimulationOptions& options, const std::string& folder)
        {testbench::gateware_sources(), testbench::gateware_benches(), testbench::gateware_engine()}) {
     for (const auto& source : sources) write_file(fmt::format("{}/{}", folder, source.name), source.bytes);
   }
-  const std::string model = folder + "/engine.vvp";
+  std::string model = folder + "/engine.vvp";
   const std::string log = folder + "/compile.log";
   command.insert(command.end(), {"-y", folder, "-I", folder, "-o", model, folder + "/engine_bench.v"});
   if (testbench::run_program(command, log) != 0) throw golden::InputError("iverilog", testbench::read_text_file(log));

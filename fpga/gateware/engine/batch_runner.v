@@ -26,10 +26,11 @@ module batch_runner #(
 );
   localparam STIMULUS_BYTES = (`CBVH_STIMULUS_WIDTH + 7) / 8;
   localparam RECORD_BYTES = (`CBVH_RESPONSE_WIDTH + 7) / 8 + 4;
-  localparam [31:0] STIMULUS_SIZE = STIMULUS_BYTES;
-  localparam [31:0] RECORD_SIZE = RECORD_BYTES;
-  localparam [31:0] GREATEST_RESULT = 32'd1 << RESULT_BITS;
-  localparam [31:0] FIXED_BATCH = 32'd12, FIXED_RESULT = 32'd16;
+  localparam [23:0] STIMULUS_SIZE = STIMULUS_BYTES;
+  localparam [23:0] RECORD_SIZE = RECORD_BYTES;
+  localparam [23:0] GREATEST_RESULT = 24'd1 << RESULT_BITS;
+  localparam [23:0] FIXED_BATCH = 24'd12;
+  localparam [23:0] FIXED_RESULT = 24'd16;
   localparam RECORD_PADDING = 8 * (RECORD_BYTES - 4) - `CBVH_RESPONSE_WIDTH;
 
   localparam [3:0] IDLE = 4'd0, FIXED = 4'd1, WALK = 4'd2, COUNTS = 4'd3, MULTIPLY = 4'd4, EPISODE = 4'd5, BEGIN = 4'd6, RESET = 4'd7,
@@ -38,21 +39,21 @@ module batch_runner #(
   reg running;  // the first pass over the batch checks its sizes, the second runs it
 
   // Sizes: stimuli and responses times their bytes, a bit a clock.
-  reg  [31:0] batch_size, result_size, stimuli_bytes, records_bytes;
+  reg  [23:0] batch_size, result_size, stimuli_bytes, records_bytes;
   reg         too_many;
-  wire        too_long = batch_size > {{(31 - BUFFER_BITS) {1'b0}}, length};
+  wire        too_long = batch_size > {{(23 - BUFFER_BITS) {1'b0}}, length};
   wire        fits = result_size <= GREATEST_RESULT;
 
   // The batch's bytes: read_data is always the byte at `at`.
-  reg  [31:0] at;
+  reg  [15:0] at;
   reg  [ 7:0] left;  // bytes to read or write in this state
   reg  [63:0] field;  // the last eight bytes read, the oldest lowest; or four to be written
   reg  [31:0] hang_cycles;
   reg  [15:0] drain_cycles, episodes, episodes_left;
   wire        last = left == 8'd1;
   wire        reads = state == FIXED || state == COUNTS || state == LOAD;
-  wire [31:0] at_next = state == IDLE ? 32'd0 :
-                        state == WALK ? (episodes_left == 16'd0 ? FIXED_BATCH : batch_size) : reads ? at + 32'd1 : at;
+  wire [15:0] at_next = state == IDLE ? 16'd0 :
+                        state == WALK ? (episodes_left == 16'd0 ? FIXED_BATCH[15:0] : batch_size[15:0]) : reads ? at + 16'd1 : at;
   assign batch_next = at_next[BUFFER_BITS-1:0];
 
   // The unit.
@@ -131,10 +132,10 @@ module batch_runner #(
   assign result_length = out;
   assign stepped = state == EDGE;
 
-  task refuse(input [3:0] why, input [31:0] what);
+  task refuse(input [3:0] why, input [23:0] what);
     begin
       reason <= why;
-      detail <= what;
+      detail <= what == 24'hFFFFFF ? 32'hFFFFFFFF : {8'd0, what};
       done   <= 1'b1;
       state  <= IDLE;
     end
@@ -184,11 +185,11 @@ module batch_runner #(
         too_many      <= too_many | ~fits;
         stimuli_bytes <= STIMULUS_SIZE;
         records_bytes <= RECORD_SIZE;
-        batch_size    <= batch_size + 32'd8;
-        result_size   <= result_size + 32'd4;
+        batch_size    <= batch_size + 24'd8;
+        result_size   <= result_size + 24'd4;
         room          <= GREATEST_RESULT[15:0] - result_size[15:0];
         if (episodes_left != 16'd0) state <= COUNTS;
-        else if (batch_size != {{(31 - BUFFER_BITS) {1'b0}}, length}) refuse(`CBVH_ERROR_LENGTH, batch_size);
+        else if (batch_size != {{(23 - BUFFER_BITS) {1'b0}}, length}) refuse(`CBVH_ERROR_LENGTH, batch_size);
         else if (too_many | ~fits) refuse(`CBVH_ERROR_RESPONSES, GREATEST_RESULT);
         else begin
           running       <= 1'b1;
@@ -210,7 +211,7 @@ module batch_runner #(
         if (field[0]) batch_size <= batch_size + stimuli_bytes;
         if (field[32] && !too_many) result_size <= result_size + records_bytes;
         if (left == 8'd16 && field[63:48] != 16'd0) too_many <= 1'b1;
-        if (left == 8'd16 && field[31:16] != 16'd0) refuse(`CBVH_ERROR_LENGTH, 32'hFFFFFFFF);
+        if (left == 8'd16 && field[31:16] != 16'd0) refuse(`CBVH_ERROR_LENGTH, 24'hFFFFFF);
         else if (last) state <= WALK;
       end
       EPISODE: begin
@@ -236,7 +237,7 @@ module batch_runner #(
         out          <= out + 16'd4;
         source_valid <= 1'b0;
         unit_reset   <= 1'b1;
-        left         <= 8'd4;
+        left         <= 8'd5;
         state        <= RESET;
       end
       RESET: begin

@@ -28,14 +28,14 @@ module frame_receiver (
   reg  [127:0] window;  // the oldest byte in the lowest bits
   reg  [  4:0] filled;  // bytes of it
   reg  [ 31:0] crc;
-  reg  [ 31:0] left;  // bytes of payload, or of the checksum being looked at
+  reg  [ 15:0] left;  // bytes of payload, or of the checksum being looked at
 
   wire         full = filled == 5'd16;
   wire         magic = window[15:0] == `CBVH_FRAME_MAGIC;
   wire         moves = in_valid & in_ready;
   wire [  7:0] checked_byte = state == CHECK ? window[7:0] : in_data;
   wire [ 31:0] crc_next;
-  wire         last = left[31:1] == 31'd0;
+  wire         last = left[15:1] == 15'd0;
   crc32c_byte crc_of_byte (
       .state(crc),
       .data (checked_byte),
@@ -60,13 +60,13 @@ module frame_receiver (
           if (!full) filled <= filled + 5'd1;
         end
         crc  <= 32'hFFFFFFFF;
-        left <= 32'd16;
+        left <= 16'd16;
         if (full && magic) state <= CHECK;
       end
       CHECK: begin  // the window turns once, so that it is as before
         window <= {window[7:0], window[127:8]};
         crc    <= crc_next;
-        left   <= left - 32'd1;
+        left   <= left - 16'd1;
         if (last) begin
           state  <= crc_next == `CBVH_CRC32C_RESIDUE ? HEADER : HUNT;
           filled <= 5'd15;
@@ -74,14 +74,14 @@ module frame_receiver (
       end
       HEADER: begin
         crc    <= 32'hFFFFFFFF;
-        left   <= length;
+        left   <= length[15:0];  // `wants_payload` comes with no more than that
         filled <= 5'd0;
         if (header_taken) state <= wants_payload ? PAYLOAD : HUNT;
       end
       PAYLOAD, CHECKSUM: begin
         if (moves) begin
           crc  <= crc_next;
-          left <= last ? 32'd4 : left - 32'd1;
+          left <= last ? 16'd4 : left - 16'd1;
           if (last) state <= state == PAYLOAD ? CHECKSUM : VERDICT;
         end
       end

@@ -112,7 +112,7 @@ inline Transcript run_errors(emulator::Core& core) {
   for (const auto& [bits, treelet] : {std::pair(5, 1), std::pair(22, 1), std::pair(6, 2), std::pair(6, 17)}) {
     talk.frame(host::FrameType::open, open_payload("axis_compressor", bits, treelet));
   }
-  for (const std::size_t size : {1, 7, 9, 300}) talk.frame(host::FrameType::open, host::Bytes(size, 6));
+  for (const std::size_t size : {1U, 7U, 9U, 300U}) talk.frame(host::FrameType::open, host::Bytes(size, 6));
   talk.frame(host::FrameType::open, open_payload("axis_compressor", 6, 1));
   talk.frame(static_cast<host::FrameType>(0x42));
   talk.frame(host::FrameType::results, host::Bytes(9));
@@ -123,7 +123,7 @@ inline Transcript run_errors(emulator::Core& core) {
   talk.turn(other);
   talk.frame(host::FrameType::vectors, host::Bytes(kBufferBytes + 1, 3));  // its bytes are looked at for frames
   talk.frame(host::FrameType::status);
-  for (const std::size_t size : {1, 11, 13, 19, 20, 21, 64}) {
+  for (const std::size_t size : {1U, 11U, 13U, 19U, 20U, 21U, 64U}) {
     host::Bytes cut = good;
     cut.resize(size);
     talk.frame(host::FrameType::vectors, cut);
