@@ -324,6 +324,7 @@ TEST(Session, frames_that_come_twice_are_dropped_and_nothing_is_sent_again) {
   EXPECT_TRUE(rig.run(*axis(2000)));
   EXPECT_EQ(rig.session->counters().resent, 0u);
   EXPECT_GE(rig.session->link_counters().stale, rig.session->counters().batches);
+  EXPECT_EQ(rig.session->link_counters().frames_received, 3 + rig.session->counters().batches) << "RESET, HELLO, OPEN";
   EXPECT_EQ(rig.board.batches_run, rig.session->counters().batches);
   EXPECT_EQ(rig.board.without_credit, 0u);
 }
