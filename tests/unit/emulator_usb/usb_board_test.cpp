@@ -20,7 +20,6 @@ using emulator::Transport;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr unsigned kTimeout = 2000;  // ms
-constexpr unsigned kShortTimeout = 60;
 
 class EchoCore final : public emulator::Core {
  public:
@@ -260,15 +259,17 @@ TEST(UsbBoard, transfers_in_flight_can_be_cancelled) {
   libusb_device_handle* const handle = bench.open();
   ASSERT_NE(handle, nullptr);
   ASSERT_EQ(libusb_claim_interface(handle, 0), 0);
-  constexpr int kTransfers = 8;
-  int ended = 0;
+  constexpr std::size_t kTransfers = 8;
+  std::size_t ended = 0;
   Bytes buffers(kTransfers * 512);
   std::vector<libusb_transfer*> transfers;
-  for (int i = 0; i < kTransfers; ++i) {
+  for (std::size_t i = 0; i < kTransfers; ++i) {
     libusb_transfer* const transfer = transfers.emplace_back(libusb_alloc_transfer(0));
     libusb_fill_bulk_transfer(
         transfer, handle, 0x81, buffers.data() + 512 * i, 512,
-        [](libusb_transfer* done) { *static_cast<int*>(done->user_data) += done->status == LIBUSB_TRANSFER_CANCELLED; },
+        [](libusb_transfer* done) {
+          *static_cast<std::size_t*>(done->user_data) += done->status == LIBUSB_TRANSFER_CANCELLED ? 1 : 0;
+        },
         &ended, 0);
     ASSERT_EQ(libusb_submit_transfer(transfer), 0);
   }
