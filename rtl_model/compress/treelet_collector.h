@@ -14,7 +14,9 @@ namespace cbvh::rtl {
 /// 1 node pair compressors: the context is estimated at its root only. Pairs at level D become final. The stack keeps
 /// the upper D - 1 levels of every open subtree as floats, and the contexts that the final pairs just below them were
 /// written with. Takes a pair a clock while its output queue has room for a row; a final pair leaves 6 D + 1 clocks
-/// after the arrival that made it so, or later, one a clock. Paper section 4.3, figure 8.
+/// after the arrival that made it so, or later, one a clock. An arrival takes the places of the queue that its shape
+/// asks for along; whether a box is refused is known, and frees them, only when the compressors are through. Paper
+/// section 4.3, figure 8.
 template <class Bits, int N>
 class TreeletCollector {
  public:
@@ -27,6 +29,7 @@ class TreeletCollector {
         levels_(levels),
         row_(std::size_t{1} << (levels - 1)),
         queue_(final_queue_capacity(levels)),
+        unused_(static_cast<std::size_t>(latency(levels))),
         flush_order_(pre_order(levels - 1)),
         nodes_(2 * row_),
         compressed_(2 * row_),
@@ -40,9 +43,10 @@ class TreeletCollector {
   void tick() {
     ++cycle_;
     queue_.output(cycle_, finals_);
+    free_unused_places();
     if (!jobs_.can_pop()) return;
     const std::size_t most = jobs_.front().root ? 2 * row_ - 1 : row_;
-    if (taken<Bits>(Corner::collector_queue_full, queue_.free() < most)) return;
+    if (taken<Bits>(Corner::collector_queue_full, queue_.free() < most + unused_places_)) return;
     accept(jobs_.pop());
   }
   void commit(CommitKey) {}
@@ -56,14 +60,22 @@ class TreeletCollector {
     std::vector<Node> nodes;        ///< the upper D - 1 levels, by heap position
     std::vector<Context> contexts;  ///< of the level below them, left to right: what those pairs were written with
   };
+  struct Places {
+    std::uint64_t ready_cycle = 0;
+    std::size_t count = 0;
+  };
 
   void accept(const StreamJob& job) {
+    if (shape_status_ == Status::ok) assemble(job);
     if (status_ == Status::ok) {
-      assemble(job);
+      status_ = shape_status_;
       if (status_ == Status::ok) compress(job);
       if (status_ == Status::ok) output_row(job);
-      if (status_ == Status::ok) push_entry();
       if (status_ != Status::ok) refused_index_ = next_index_;
+    }
+    if (shape_status_ == Status::ok) {
+      push_entry();
+      if (status_ != Status::ok) leave_places_unused(job);
     }
     if (job.root) finish_tree(job);
     next_index_ = job.root ? 0 : next_index_ + 1;
@@ -81,8 +93,8 @@ class TreeletCollector {
   void assemble(const StreamJob& job) {
     const std::array<bool, 2> inner = {!job.pair.leaf[0], !job.pair.leaf[1]};
     const std::size_t pops = std::size_t{inner[0]} + std::size_t{inner[1]};
-    status_ = stack_status<Bits, kContextStackDepth>(stack_.depth(), pops, true);
-    if (status_ != Status::ok) return;
+    shape_status_ = stack_status<Bits, kContextStackDepth>(stack_.depth(), pops, true);
+    if (shape_status_ != Status::ok) return;
     nodes_[1] = {job.pair, Pointer(next_index_)};
     for (std::size_t child = 0; child < 2; ++child) {
       if (!inner[child]) continue;
@@ -150,7 +162,21 @@ class TreeletCollector {
       queue_.end_tree(contexts_[1]);
     }
     stack_.clear();
-    status_ = Status::ok;
+    status_ = shape_status_ = Status::ok;
+  }
+
+  /// The places of a refused tree's pair, but for the one that the root tells the refusal in.
+  void leave_places_unused(const StreamJob& job) {
+    std::size_t places = 0;
+    for (std::size_t i = job.root ? 1 : row_; i < 2 * row_; ++i) places += std::size_t{exists(i)};
+    if (job.root) --places;
+    unused_.push() = {ready_cycle(), places};
+    unused_places_ += places;
+  }
+  void free_unused_places() {
+    if (unused_.empty() || unused_.front().ready_cycle > cycle_) return;
+    unused_places_ -= unused_.front().count;
+    unused_.pop();
   }
 
   Channel<StreamJob>& jobs_;
@@ -158,6 +184,8 @@ class TreeletCollector {
   const int levels_;
   const std::size_t row_;  ///< pairs of level D: 2^(D-1)
   FinalQueue<N> queue_;
+  Fifo<Places> unused_;  ///< taken by pairs of refused trees that are still being compressed
+  std::size_t unused_places_ = 0;
   const std::vector<std::size_t> flush_order_;
   StackStorage<Entry, kContextStackDepth> stack_;
 
@@ -170,7 +198,8 @@ class TreeletCollector {
   std::uint64_t cycle_ = 0;
   std::uint64_t next_index_ = 0;
   std::uint64_t refused_index_ = 0;
-  Status status_ = Status::ok;
+  Status status_ = Status::ok;        ///< of the tree
+  Status shape_status_ = Status::ok;  ///< as far as it is known on arrival
 };
 
 }  // namespace cbvh::rtl
