@@ -16,6 +16,9 @@ namespace cbvh::testbench {
 inline std::string verilog_bits(const vectors::Parameters& parameters) {
   return fmt::format("#(.N({}))", parameters.bits);
 }
+inline std::string verilog_bits_and_levels(const vectors::Parameters& parameters) {
+  return fmt::format("#(.N({}), .D({}))", parameters.bits, parameters.treelet);
+}
 inline std::string verilog_nothing(const vectors::Parameters&) { return {}; }
 
 /// Holds back as Sink does, and besides for so long in every 256 clocks that the output of a slow unit fills, too.
