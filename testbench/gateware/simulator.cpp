@@ -125,7 +125,7 @@ class Models {
   std::string bench_folder() { return unpacked("benches", gateware_benches()); }
 
   std::string unpacked(const std::string& name, const std::vector<GatewareSource>& sources) {
-    const std::string path = fmt::format("{}/{}", folder_.path(), name);
+    std::string path = fmt::format("{}/{}", folder_.path(), name);
     if (!fs::create_directory(path)) return path;
     for (const GatewareSource& source : sources) write_file(fmt::format("{}/{}", path, source.name), source.bytes);
     return path;
