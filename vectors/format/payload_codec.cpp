@@ -1,8 +1,10 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "vectors/format/payload_codec.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <optional>
 
 namespace cbvh::vectors {
 namespace {
@@ -19,28 +21,47 @@ void store(const CodecLeaf& leaf, void* payload, std::uint64_t raw) {
   std::memcpy(static_cast<char*>(payload) + leaf.offset, &raw, leaf.size);
 }
 
-/// The bits [bit, bit + width) of a packed payload; bit 0 is the lowest of byte 0.
-void put_bits(std::uint8_t* bytes, int bit, int width, std::uint64_t raw) {
-  while (width > 0) {
-    const int used = bit & 7;
-    const int taken = width < 8 - used ? width : 8 - used;
-    bytes[bit >> 3] = static_cast<std::uint8_t>(bytes[bit >> 3] | ((raw & rtl::low_mask(taken)) << used));
-    raw >>= taken;
-    bit += taken;
-    width -= taken;
+constexpr std::size_t kWordBytes = 8;
+
+/// Where the eight bytes begin that hold bits [bit, bit + width) of so many bytes; nothing if there are no such eight.
+std::optional<std::size_t> word_of(std::size_t size, std::size_t bit, int width) {
+  if (size < kWordBytes) return std::nullopt;
+  const std::size_t first = std::min(bit / 8, size - kWordBytes);
+  if (bit - 8 * first + static_cast<std::size_t>(width) > 64) return std::nullopt;
+  return first;
+}
+
+/// Puts bits [bit, bit + width) of a packed payload, which are 0; bit 0 is the lowest of byte 0.
+void put_bits(std::uint8_t* bytes, std::size_t size, std::size_t bit, int width, std::uint64_t raw) {
+  raw &= rtl::low_mask(width);
+  if (const auto first = word_of(size, bit, width)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes + *first, kWordBytes);
+    word |= raw << (bit - 8 * *first);
+    std::memcpy(bytes + *first, &word, kWordBytes);
+    return;
+  }
+  for (int done = 0; done < width;) {
+    const auto used = static_cast<int>(bit % 8);
+    bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] | (raw >> done << used));
+    bit += static_cast<std::size_t>(8 - used);
+    done += 8 - used;
   }
 }
 
-std::uint64_t get_bits(const std::uint8_t* bytes, int bit, int width) {
+std::uint64_t get_bits(const std::uint8_t* bytes, std::size_t size, std::size_t bit, int width) {
   std::uint64_t raw = 0;
-  for (int done = 0; done < width;) {
-    const int used = bit & 7;
-    const int taken = width - done < 8 - used ? width - done : 8 - used;
-    raw |= ((static_cast<std::uint64_t>(bytes[bit >> 3]) >> used) & rtl::low_mask(taken)) << done;
-    bit += taken;
-    done += taken;
+  if (const auto first = word_of(size, bit, width)) {
+    std::memcpy(&raw, bytes + *first, kWordBytes);
+    return (raw >> (bit - 8 * *first)) & rtl::low_mask(width);
   }
-  return raw;
+  for (int done = 0; done < width;) {
+    const auto used = static_cast<int>(bit % 8);
+    raw |= static_cast<std::uint64_t>(bytes[bit / 8] >> used) << done;
+    bit += static_cast<std::size_t>(8 - used);
+    done += 8 - used;
+  }
+  return raw & rtl::low_mask(width);
 }
 
 template <class Count>
@@ -105,19 +126,21 @@ void PayloadCodec::print_text(const void* payload, char* text) const {
 }
 
 void PayloadCodec::pack(const void* payload, std::uint8_t* bytes) const {
-  std::memset(bytes, 0, packed_bytes());
-  int bit = 0;
+  const std::size_t size = packed_bytes();
+  std::memset(bytes, 0, size);
+  std::size_t bit = 0;
   for (const CodecLeaf& leaf : leaves) {
-    put_bits(bytes, bit, leaf.width, load(leaf, payload));
-    bit += leaf.width;
+    put_bits(bytes, size, bit, leaf.width, load(leaf, payload));
+    bit += static_cast<std::size_t>(leaf.width);
   }
 }
 
 bool PayloadCodec::unpack(const std::uint8_t* bytes, void* payload) const {
-  int bit = 0;
+  const std::size_t size = packed_bytes();
+  std::size_t bit = 0;
   for (const CodecLeaf& leaf : leaves) {
-    store(leaf, payload, get_bits(bytes, bit, leaf.width));
-    bit += leaf.width;
+    store(leaf, payload, get_bits(bytes, size, bit, leaf.width));
+    bit += static_cast<std::size_t>(leaf.width);
   }
   return bit % 8 == 0 || (bytes[bit / 8] >> (bit % 8)) == 0;
 }
