@@ -121,6 +121,15 @@ inline Transcript run_errors(emulator::Core& core) {
   host::Bytes other;
   host::append_header(other, {2, host::FrameType::hello, 17, 0});
   talk.turn(other);
+  host::Bytes foreign;  // a right checksum, but not our magic: its bytes are skipped
+  host::append_header(foreign, {host::kProtocolVersion, host::FrameType::hello, talk.sequence, 0});
+  foreign.resize(host::kHeaderBytes - sizeof(std::uint32_t));
+  foreign[0] = static_cast<std::uint8_t>(foreign[0] ^ 1U);
+  host::append(foreign, host::crc32c(foreign));
+  host::Bytes several;  // so that bytes come late behind one of them
+  for (int i = 0; i < 16; ++i) host::append(several, foreign);
+  talk.turn(several);
+  talk.frame(host::FrameType::status);
   talk.frame(host::FrameType::vectors, host::Bytes(kBufferBytes + 1, 3));  // its bytes are looked at for frames
   talk.frame(host::FrameType::status);
   for (const std::size_t size : {1U, 11U, 13U, 19U, 20U, 21U, 64U}) {
