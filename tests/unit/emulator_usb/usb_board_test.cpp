@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "fpga/emulator/usb/preload.h"
+#include "tests/support/echo_core.h"
 
 namespace cbvh::testing {
 namespace {
@@ -20,23 +21,6 @@ using emulator::Transport;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr unsigned kTimeout = 2000;  // ms
-
-class EchoCore final : public emulator::Core {
- public:
-  void receive(std::span<const std::uint8_t> bytes) override {
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-  }
-  Bytes send(std::size_t most) override {
-    const auto cut = bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(most, bytes_.size()));
-    Bytes bytes(bytes_.begin(), cut);
-    bytes_.erase(bytes_.begin(), cut);
-    return bytes;
-  }
-  void reset() override { bytes_.clear(); }
-
- private:
-  Bytes bytes_;
-};
 
 /// A board and a libusb context that sees it.
 class Bench {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/echo_core.h"
+
 namespace cbvh::testing {
 namespace {
 
@@ -20,23 +22,6 @@ constexpr std::uint8_t kRead = 0xC0;
 constexpr std::uint8_t kIn = 0x83;  // of the second interface
 constexpr std::uint8_t kOut = 0x04;
 const Time kStart{};
-
-class EchoCore final : public emulator::Core {
- public:
-  void receive(std::span<const std::uint8_t> bytes) override {
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-  }
-  Bytes send(std::size_t most) override {
-    const auto cut = bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(most, bytes_.size()));
-    Bytes bytes(bytes_.begin(), cut);
-    bytes_.erase(bytes_.begin(), cut);
-    return bytes;
-  }
-  void reset() override { bytes_.clear(); }
-
- private:
-  Bytes bytes_;
-};
 
 class Ftdi : public ::testing::Test {
  protected:
