@@ -2,7 +2,7 @@
 // Repairs pairs in memory whose context turned out to be wrong, depth first, child 0 before child 1: reads a line,
 // re-encodes one pair of it, writes that pair back; then reports how many. One access at a time: the read leaves in the
 // clock the job is taken, the write in the clock its line comes, the next read in the clock after that. Costs two
-// reencode_child, a job of 248 bits, a count, and 32 waiting second children of 237 bits. Twin of
+// reencode_child, a job of 248 bits, a count, and block RAM for 32 waiting second children of 237 bits. Twin of
 // rtl_model/compress/backtrack_unit.h; paper algorithm 1, function Backtrack.
 `include "cbvh_constants.vh"
 module backtrack_unit #(
@@ -34,8 +34,7 @@ module backtrack_unit #(
   reg [1:0] state;
   reg [JOB_WIDTH-1:0] current;
   reg [31:0] repairs;
-  reg [PLACE_WIDTH-1:0] waiting[0:`CBVH_CONTEXT_STACK_DEPTH-1];  // second children; one a level at most
-  reg [5:0] depth;
+  reg [5:0] depth;  // second children that wait; one a level at most
 
   wire [`CBVH_POINTER_BITS-1:0] pointer =
       state == IDLE ? jobs_data[`CBVH_REPAIR_JOB_POINTER] : current[`CBVH_REPAIR_JOB_POINTER];
@@ -73,12 +72,26 @@ module backtrack_unit #(
   );
   wire [PLACE_WIDTH-1:0] place_0 = {after_0, before_0, fixed_0[`CBVH_NODE_CODES_POINTER]};
   wire [PLACE_WIDTH-1:0] place_1 = {after_1, before_1, fixed_1[`CBVH_NODE_CODES_POINTER]};
-  wire [4:0] top = depth[4:0] - 5'd1;
-  wire [PLACE_WIDTH-1:0] next = repair_0 ? place_0 : repair_1 ? place_1 : waiting[top];
+  wire [PLACE_WIDTH-1:0] waiting, unused_second;
+  wire [PLACE_WIDTH-1:0] next = repair_0 ? place_0 : repair_1 ? place_1 : waiting;
 
   wire reads = (state == IDLE & jobs_valid) | state == READ;
   wire writes = state == WRITE & lines_valid;
   wire repaired = writes & requests_ready;
+  wire waits = repaired & repair_0 & repair_1;
+  wire resumes = repaired & ~repair_0 & ~repair_1 & (|depth);
+  wire [5:0] depth_next = reset ? 6'd0 : waits ? depth + 6'd1 : resumes ? depth - 6'd1 : depth;
+  stack_memory #(
+      .WIDTH(PLACE_WIDTH)
+  ) second_children (
+      .clk(clk),
+      .depth_next(depth_next),
+      .push(waits),
+      .place(depth[4:0]),
+      .entry(place_1),
+      .top_entry(waiting),
+      .second_entry(unused_second)
+  );
   assign jobs_ready = state == IDLE;
   assign lines_ready = state == WRITE & requests_ready;
   assign requests_valid = reads | writes;
@@ -95,23 +108,17 @@ module backtrack_unit #(
   assign done_data = repairs;
 
   always @(posedge clk) begin
-    if (repaired & repair_0 & repair_1) waiting[depth[4:0]] <= place_1;
+    depth <= depth_next;
     if (jobs_valid & jobs_ready) current <= jobs_data;
     else if (repaired) current[PLACE_WIDTH-1:0] <= next;
     if (jobs_valid & jobs_ready) repairs <= 32'd0;
     else if (repaired) repairs <= repairs + 32'd1;
-    if (reset) begin
-      state <= IDLE;
-      depth <= 6'd0;
-    end else begin
+    if (reset) state <= IDLE;
+    else begin
       case (state)
         IDLE: if (jobs_valid) state <= requests_ready ? WRITE : READ;
         READ: if (requests_ready) state <= WRITE;
-        WRITE: if (repaired) begin
-          state <= repair_0 | repair_1 | (|depth) ? READ : REPORT;
-          if (repair_0 & repair_1) depth <= depth + 6'd1;
-          else if (~repair_0 & ~repair_1 & (|depth)) depth <= depth - 6'd1;
-        end
+        WRITE: if (repaired) state <= repair_0 | repair_1 | (|depth) ? READ : REPORT;
         REPORT: if (done_ready) state <= IDLE;
       endcase
     end

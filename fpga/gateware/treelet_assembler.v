@@ -32,6 +32,7 @@ module treelet_assembler #(
   wire [1:0] pops = {&inner, ^inner};
   wire underflow = {4'd0, pops} > depth;
   wire [5:0] kept = depth - {4'd0, pops};
+  wire [5:0] depth_next = reset ? 6'd0 : ~take ? depth : root ? 6'd0 : kept + 6'd1;
   wire overflow = kept == 6'd`CBVH_CONTEXT_STACK_DEPTH;
   assign index = next_index;
   assign status = refused != `CBVH_STATUS_OK ? refused :
@@ -51,18 +52,25 @@ module treelet_assembler #(
   generate
     if (D > 1) begin : below
       localparam ENTRY_WIDTH = (ROW - 1) * NODE_WIDTH;
-      reg [ENTRY_WIDTH-1:0] entries[0:`CBVH_CONTEXT_STACK_DEPTH-1];
-      wire [4:0] top = depth[4:0] - 5'd1;
-      wire [4:0] second = depth[4:0] - 5'd2;
-      wire [ENTRY_WIDTH-1:0] right = entries[top];
-      wire [ENTRY_WIDTH-1:0] left = &inner ? entries[second] : right;
+      wire [ENTRY_WIDTH-1:0] right, second_entry;
+      wire [ENTRY_WIDTH-1:0] left = &inner ? second_entry : right;
+      stack_memory #(
+          .WIDTH(ENTRY_WIDTH)
+      ) entries (
+          .clk(clk),
+          .depth_next(depth_next),
+          .push(take & accepted),
+          .place(kept[4:0]),
+          .entry(nodes[ENTRY_WIDTH-1:0]),
+          .top_entry(right),
+          .second_entry(second_entry)
+      );
       for (level = 2; level <= D; level = level + 1) begin : levels
         localparam HALF = 1 << (level - 2);
         // Level `level` is level `level - 1` of the left child's treelet, then that of the right child's.
         assign nodes[(2*HALF-1)*NODE_WIDTH+:HALF*NODE_WIDTH] = left[(HALF-1)*NODE_WIDTH+:HALF*NODE_WIDTH];
         assign nodes[(3*HALF-1)*NODE_WIDTH+:HALF*NODE_WIDTH] = right[(HALF-1)*NODE_WIDTH+:HALF*NODE_WIDTH];
       end
-      always @(posedge clk) if (take & accepted) entries[kept[4:0]] <= nodes[ENTRY_WIDTH-1:0];
     end
   endgenerate
 
@@ -82,13 +90,12 @@ module treelet_assembler #(
   endgenerate
 
   always @(posedge clk) begin
+    depth <= depth_next;
     if (reset) begin
       next_index <= {`CBVH_POINTER_BITS{1'b0}};
-      depth      <= 6'd0;
       refused    <= `CBVH_STATUS_OK;
     end else if (take) begin
       next_index <= root ? {`CBVH_POINTER_BITS{1'b0}} : next_index + 1'b1;
-      depth      <= root ? 6'd0 : kept + 6'd1;
       refused    <= root ? `CBVH_STATUS_OK : status;
     end
   end

@@ -35,7 +35,6 @@ module treelet_row #(
   localparam PAIR = `CBVH_NODE_PAIR_WIDTH;
   localparam INDEX = `CBVH_POINTER_BITS;
 
-  reg [ROW*CONTEXT-1:0] entries[0:`CBVH_CONTEXT_STACK_DEPTH-1];
   reg [5:0] depth;
   reg [`CBVH_STATUS_BITS-1:0] refused;  // the tree, by pair `refused_index`
   reg [INDEX-1:0] refused_index;
@@ -45,10 +44,20 @@ module treelet_row #(
   wire accepted = tree_status == `CBVH_STATUS_OK;
   wire [INDEX-1:0] bad_index = refused != `CBVH_STATUS_OK ? refused_index : index;
   wire [5:0] kept = depth - {4'd0, &inner, ^inner};
-  wire [4:0] top = depth[4:0] - 5'd1;
-  wire [4:0] second = depth[4:0] - 5'd2;
-  wire [ROW*CONTEXT-1:0] right = entries[top];
-  wire [ROW*CONTEXT-1:0] left = &inner ? entries[second] : right;
+  wire [5:0] depth_next = reset ? 6'd0 : ~valid ? depth : root ? 6'd0 : kept + 6'd1;
+  wire [ROW*CONTEXT-1:0] right, second_entry;
+  wire [ROW*CONTEXT-1:0] left = &inner ? second_entry : right;
+  stack_memory #(
+      .WIDTH(ROW * CONTEXT)
+  ) entries (
+      .clk(clk),
+      .depth_next(depth_next),
+      .push(valid),
+      .place(kept[4:0]),
+      .entry(row_contexts),
+      .top_entry(right),
+      .second_entry(second_entry)
+  );
   wire [2*ROW*CONTEXT-1:0] written = {right, left};
 
   `include "treelet_pre_order.vh"
@@ -127,16 +136,9 @@ module treelet_row #(
   assign unused = valid & ~accepted ? places - {{D{1'b0}}, root} : {D + 1{1'b0}};
 
   always @(posedge clk) begin
-    if (valid) begin
-      entries[kept[4:0]] <= row_contexts;
-      refused_index <= bad_index;
-    end
-    if (reset) begin
-      depth   <= 6'd0;
-      refused <= `CBVH_STATUS_OK;
-    end else if (valid) begin
-      depth   <= root ? 6'd0 : kept + 6'd1;
-      refused <= root ? `CBVH_STATUS_OK : tree_status;
-    end
+    depth <= depth_next;
+    if (valid) refused_index <= bad_index;
+    if (reset) refused <= `CBVH_STATUS_OK;
+    else if (valid) refused <= root ? `CBVH_STATUS_OK : tree_status;
   end
 endmodule
