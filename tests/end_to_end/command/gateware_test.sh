@@ -1,43 +1,10 @@
 #!/usr/bin/env bash
 # Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
-# The Verilog twins: constants, lint, vectors under every stall mode. Twins that are broken on purpose: gateware_mutants_test.sh.
+# The Verilog twins: vectors under every stall mode. Twins that are broken on purpose: gateware_mutants_test.sh, lint:
+# ../fpga/verilog_lint_test.sh.
 source "$SOURCE/tests/end_to_end/command/expect.sh"
 gateware=$SOURCE/fpga/gateware
-
-expect 0 gateware
-cmp out "$gateware/cbvh_constants.vh" || fail "fpga/gateware/cbvh_constants.vh is not what 'cbvh gateware' writes"
-
-# Where there is no Icarus the backend says so in one line, and nothing is reported as passed.
-status=0
-PATH=/nowhere "$CBVH" check "$SOURCE/vectors/sets/axis_compressor.vec" --backend gateware >out 2>err || status=$?
-((status == 77)) || fail "without iverilog: exit code $status, want 77"
-[[ ! -s out && $(wc -l <err) == 1 ]] || fail "without iverilog: one line on stderr and no output"
-says err "no program 'iverilog' (Debian package iverilog)"
 command -v iverilog >/dev/null || { echo "skipped: no iverilog"; trap - EXIT; exit 77; }
-
-# Lint: every file by itself, for the smallest and the largest N, and for treelets of one and of three levels.
-for file in "$gateware"/*.v "$gateware"/harness/*.v; do
-  for n in 2 8; do
-    parameter=()
-    if grep -q 'parameter N ' "$file"; then parameter=("-P$(basename "$file" .v).N=$n"); fi
-    if grep -q 'parameter D ' "$file"; then parameter+=("-P$(basename "$file" .v).D=$((n == 2 ? 1 : 3))"); fi
-    iverilog -Wall -g2005 -t null "${parameter[@]}" -y "$gateware" -y "$gateware/harness" -I "$gateware" "$file" \
-      >out 2>err || fail "iverilog $file"
-    [[ ! -s out && ! -s err ]] || fail "iverilog -Wall $file has warnings"
-    if command -v verilator >/dev/null; then
-      verilator --lint-only -Wall "${parameter[@]/#-P*./-G}" -y "$gateware" -y "$gateware/harness" "-I$gateware" "$file" \
-        >out 2>err || fail "verilator $file"
-      [[ ! -s err ]] || fail "verilator -Wall $file has warnings"
-    fi
-    checks=$((checks + 1))
-  done
-done
-if command -v yosys >/dev/null; then
-  (cd "$gateware" && yosys -q -p "read_verilog -I. *.v harness/*.v; hierarchy -check; proc; check -assert") >out 2>err || fail yosys
-  ! grep -qi warning out err || fail "yosys has warnings"
-  checks=$((checks + 1))
-fi
-for tool in verilator yosys; do command -v $tool >/dev/null || echo "skipped: lint by $tool, which is not installed"; done
 
 # Vectors: all twins, all kinds of stalls; the same counts as the C++ modules.
 twins=(axis_compressor scale_estimator node_pair_compressor node_pair_compressor_serial context_stack backtrack_unit
