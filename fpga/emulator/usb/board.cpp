@@ -4,11 +4,16 @@
 namespace cbvh::emulator {
 
 namespace {
-constexpr unsigned kFirstNumber = 2;              ///< the bus itself is 1
+constexpr unsigned kNumbersPerPort = 31;          ///< of the bus's 127; the bus itself is 1
 constexpr std::chrono::milliseconds kPolling{2};  ///< of a core, while the host waits for it
 constexpr std::chrono::milliseconds kIdle{1000};
 constexpr std::chrono::milliseconds kUnplugged{50};  ///< before a board that returns does
 constexpr std::chrono::milliseconds kUnpluggedStep{5};
+
+/// A device has another number each time it is plugged in.
+unsigned number_of(unsigned port, std::size_t plugged) {
+  return 2 + (port - 1) * kNumbersPerPort + static_cast<unsigned>(plugged % kNumbersPerPort);
+}
 }  // namespace
 
 UsbSystem::UsbSystem() : testbed_(umockdev_testbed_new()) {}
@@ -18,9 +23,9 @@ std::string UsbSystem::root() const {
   return root.get();
 }
 
-UsbBoard::UsbBoard(UsbSystem& system, Transport transport, Link& link)
-    : system_(system), transport_(transport), link_(link), function_(make_function(transport, link)) {
-  nodes_.push_back(std::make_unique<UsbNode>(system_.testbed(), transport_, *function_, kFirstNumber));
+UsbBoard::UsbBoard(UsbSystem& system, Transport transport, Link& link, unsigned port)
+    : system_(system), transport_(transport), link_(link), port_(port), function_(make_function(transport, link)) {
+  nodes_.push_back(std::make_unique<UsbNode>(system_.testbed(), transport_, *function_, port_, number_of(port_, 0)));
   plugged_ = 1;
   thread_ = std::thread([this] { run(); });
 }
@@ -44,9 +49,9 @@ void UsbBoard::run() {
     while (Clock::now() < returns && !ends_) std::this_thread::sleep_for(kUnpluggedStep);
     link_.power_on();
     function_->power_on();
-    const auto number = kFirstNumber + static_cast<unsigned>(nodes_.size());
     ++plugged_;
-    auto node = std::make_unique<UsbNode>(system_.testbed(), transport_, *function_, number);
+    auto node =
+        std::make_unique<UsbNode>(system_.testbed(), transport_, *function_, port_, number_of(port_, nodes_.size()));
     const std::lock_guard lock(mutex_);
     nodes_.push_back(std::move(node));
   }

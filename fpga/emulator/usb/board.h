@@ -28,7 +28,8 @@ class UsbSystem {
 /// A board on the bus, from construction to destruction, but for what its link's faults do to the plug.
 class UsbBoard {
  public:
-  UsbBoard(UsbSystem& system, Transport transport, Link& link);
+  /// `port` of the bus, 1 to 4: boards that are plugged in at the same time need different ones.
+  UsbBoard(UsbSystem& system, Transport transport, Link& link, unsigned port = 1);
   ~UsbBoard();
   UsbBoard(const UsbBoard&) = delete;
   UsbBoard& operator=(const UsbBoard&) = delete;
@@ -44,6 +45,7 @@ class UsbBoard {
   UsbSystem& system_;
   const Transport transport_;
   Link& link_;
+  const unsigned port_;
   std::unique_ptr<Function> function_;
   std::vector<std::unique_ptr<UsbNode>> nodes_;  ///< the last is plugged in; programs may still hold the others
   std::atomic<bool> ends_ = false;

@@ -20,9 +20,10 @@ constexpr unsigned kIntoHost = 0x80;
 std::string hex(const std::vector<std::uint8_t>& bytes) { return fmt::format("{:02X}", fmt::join(bytes, "")); }
 
 /// The device in the words of umockdev.
-std::string describe_device(Transport transport, const UsbIdentity& identity, unsigned number) {
+std::string describe_device(const std::string& path, Transport transport, const UsbIdentity& identity,
+                            unsigned number) {
   return fmt::format(
-      "P: /devices/pci0000:00/0000:00:14.0/usb1/1-1\n"
+      "P: {9}\n"
       "E: DEVTYPE=usb_device\nE: DRIVER=usb\nE: SUBSYSTEM=usb\n"
       "E: DEVNAME=/dev/bus/usb/{0:03}/{1:03}\nE: BUSNUM={0:03}\nE: DEVNUM={1:03}\nE: MAJOR=189\nE: MINOR={2}\n"
       "E: PRODUCT={3:x}/{4:x}/100\n"
@@ -31,7 +32,7 @@ std::string describe_device(Transport transport, const UsbIdentity& identity, un
       "A: manufacturer={5}\\n\nA: product={6}\\n\nA: serial={7}\\n\n"
       "H: descriptors={8}\n",
       kBus, number, number - 1, identity.vendor, identity.product, identity.manufacturer, identity.product_name,
-      identity.serial, hex(descriptors(transport, identity)));
+      identity.serial, hex(descriptors(transport, identity)), path);
 }
 
 [[noreturn]] void refuse(const char* what, GError* error) {
@@ -42,9 +43,10 @@ std::string describe_device(Transport transport, const UsbIdentity& identity, un
 
 }  // namespace
 
-UsbNode::UsbNode(UMockdevTestbed& testbed, Transport transport, Function& function, unsigned number)
+UsbNode::UsbNode(UMockdevTestbed& testbed, Transport transport, Function& function, unsigned port, unsigned number)
     : testbed_(testbed), transport_(transport), function_(function), identity_(identity_of(transport)) {
-  device_path_ = "/sys/devices/pci0000:00/0000:00:14.0/usb1/1-1";
+  const std::string path = fmt::format("/devices/pci0000:00/0000:00:14.0/usb{0}/{0}-{1}", kBus, port);
+  device_path_ = "/sys" + path;
   node_path_ = fmt::format("/dev/bus/usb/{:03}/{:03}", kBus, number);
   const std::unique_ptr<gchar, decltype(&g_free)> root(umockdev_testbed_get_root_dir(&testbed), g_free);
   const std::filesystem::path node = root.get() + node_path_;
@@ -61,7 +63,8 @@ UsbNode::UsbNode(UMockdevTestbed& testbed, Transport transport, Function& functi
     for (unsigned interface = 0; interface < interface_count(transport); ++interface) drivers_.insert(interface);
   }
   // Last: from now on programs find it.
-  if (umockdev_testbed_add_from_string(&testbed, describe_device(transport, identity_, number).c_str(), &error) == 0) {
+  if (umockdev_testbed_add_from_string(&testbed, describe_device(path, transport, identity_, number).c_str(), &error) ==
+      0) {
     refuse("cannot add the device", error);
   }
   umockdev_testbed_uevent(&testbed, device_path_.c_str(), "add");

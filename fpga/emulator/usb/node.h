@@ -19,8 +19,9 @@ namespace cbvh::emulator {
 /// come from a thread of umockdev's; transfers are carried out by whoever calls serve().
 class UsbNode {
  public:
-  /// `number` is the device's on the bus, 2 or more. Throws std::runtime_error when umockdev refuses.
-  UsbNode(UMockdevTestbed& testbed, Transport transport, Function& function, unsigned number);
+  /// `port` is where it is plugged in, `number` the device's on the bus, 2 or more. Throws std::runtime_error when
+  /// umockdev refuses.
+  UsbNode(UMockdevTestbed& testbed, Transport transport, Function& function, unsigned port, unsigned number);
   ~UsbNode();
   UsbNode(const UsbNode&) = delete;
   UsbNode& operator=(const UsbNode&) = delete;
