@@ -29,6 +29,8 @@ class Backend {
   /// Whether its channels can be made to stall, and its modules be evaluated in another order.
   virtual bool stalls() const { return true; }
   virtual bool shuffles() const { return false; }
+  /// Whether it counts the corners of the model (rtl_model/bits/corner.h) that its runs take.
+  virtual bool observes_corners() const { return false; }
   /// Runs every case of the set. May be called by several threads at once.
   virtual Responses run(const vectors::VectorSet& set, const RunOptions& options) const = 0;
 };

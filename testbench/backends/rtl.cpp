@@ -12,6 +12,7 @@ class RtlBackend final : public Backend {
   std::string name() const override { return "rtl"; }
   bool has(const vectors::UnitDescription& unit) const override { return find(unit) != nullptr; }
   bool shuffles() const override { return true; }
+  bool observes_corners() const override { return true; }
 
   Responses run(const vectors::VectorSet& set, const RunOptions& options) const override {
     const UnitDriver* driver = find(set.unit());

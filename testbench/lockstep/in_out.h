@@ -21,28 +21,6 @@ inline std::string verilog_bits_and_levels(const vectors::Parameters& parameters
 }
 inline std::string verilog_nothing(const vectors::Parameters&) { return {}; }
 
-/// Holds back as Sink does, and besides for so long in every 256 clocks that the output of a slow unit fills, too.
-template <class T>
-class SlowSink {
- public:
-  SlowSink(rtl::Channel<T>& channel, const RunOptions& options, std::uint64_t number)
-      : channel_(channel),
-        stalls_(sink_stalls(options, number)),
-        slow_(options.stalls == Stalls::sink || options.stalls == Stalls::both) {}
-
-  void tick() {
-    const bool holds_back = stalls_.stalls() || (slow_ && clock_ % 256 >= 192);
-    if (!holds_back && channel_.can_pop()) channel_.pop();
-  }
-  void commit(rtl::CommitKey) { ++clock_; }
-
- private:
-  rtl::Channel<T>& channel_;
-  rtl::StallPattern stalls_;
-  bool slow_;
-  std::uint64_t clock_ = 0;
-};
-
 /// make(in, out) gives the module.
 template <class In, class Out, class Make>
 Episode record_in_out(Make&& make, std::span<const In> items, const RunOptions& options, std::uint64_t number,
@@ -51,7 +29,7 @@ Episode record_in_out(Make&& make, std::span<const In> items, const RunOptions& 
   rtl::Channel<Out> out;
   auto unit = make(in, out);
   Source<In> source(in, items, source_stalls(options, number));
-  SlowSink<Out> sink(out, options, number);
+  Sink<Out> sink(out, sink_stalls(options, number));
   Probe<In> in_probe(in, in_name, Flow::to_unit);
   Probe<Out> out_probe(out, out_name, Flow::from_unit);
   rtl::Clock clock(source, in, unit, out, sink, in_probe, out_probe);

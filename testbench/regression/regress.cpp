@@ -1,8 +1,10 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "testbench/regression/regress.h"
 
+#include <algorithm>
 #include <ctime>
 
+#include "testbench/backend/backend.h"
 #include "testbench/gateware/process.h"
 #include "testbench/parallel.h"
 #include "testbench/progress.h"
@@ -43,6 +45,8 @@ std::vector<Piece> make_pieces(const std::vector<PlannedSet>& plan, const Regres
   return pieces;
 }
 
+bool observes_corners(const PlannedSet& set) { return make_backend(set.report.backend)->observes_corners(); }
+
 }  // namespace
 
 void run_plan(const std::vector<PlannedSet>& plan, const RegressionOptions& options, Report& report) {
@@ -67,6 +71,7 @@ void run_plan(const std::vector<PlannedSet>& plan, const RegressionOptions& opti
     accumulate(report.sets[first + piece.set], piece.found);
     for (std::size_t corner = 0; corner < rtl::kCorners; ++corner) corners[corner] += piece.corners[corner];
   }
+  if (std::none_of(plan.begin(), plan.end(), observes_corners)) return;
   for (std::size_t corner = 0; corner < rtl::kCorners; ++corner) {
     report.corners[std::string(rtl::kCornerNames[corner])] += corners[corner];
   }

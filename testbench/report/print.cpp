@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace cbvh::testbench {
 
@@ -16,12 +17,22 @@ std::string hit_bins(const std::string& title, const Bins& bins) {
   return line + '\n';
 }
 
+std::set<std::string> backends(const Report& report) {
+  std::set<std::string> names;
+  for (const SetReport& set : report.sets) names.insert(set.backend);
+  return names;
+}
+
 std::string coverage(const Report& report, const Verdict& verdict) {
   std::string text = "coverage\n";
   for (const auto& [unit, bins] : report.classes()) {
     if (!bins.empty()) text += hit_bins("  classes of " + unit, bins);
   }
-  if (!report.corners.empty()) text += hit_bins("  corners of the model", report.corners);
+  if (!report.corners.empty()) {
+    text += hit_bins("  corners of the model", report.corners);
+  } else if (!report.sets.empty()) {
+    text += fmt::format("  corners of the model: not observed by {}\n", fmt::join(backends(report), ", "));
+  }
   for (const std::string& bin : verdict.empty_bins) {
     text += fmt::format("{}: {} was never hit\n", report.bins_must_be_hit ? "FAILED" : "warning", bin);
   }

@@ -59,7 +59,7 @@ struct Report {
   Shard shard;
   bool bins_must_be_hit = false;  ///< an empty bin is a failure
   std::vector<SetReport> sets;
-  Bins corners;  ///< rare branches of the hardware model, by name
+  Bins corners;  ///< rare branches of the hardware model, by name; none when no backend of the run observes them
 
   /// Adds up the classes of every set of a unit: unit -> class -> hits.
   std::map<std::string, Bins> classes() const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,9 +25,30 @@ inline rtl::StallPattern source_stalls(const RunOptions& options, std::uint64_t 
   const bool stalls = options.stalls == Stalls::source || options.stalls == Stalls::both;
   return stalls ? rtl::StallPattern::bursts(source_seed(options, number)) : rtl::StallPattern::never();
 }
-inline rtl::StallPattern sink_stalls(const RunOptions& options, std::uint64_t number) {
+
+/// Decides, cycle by cycle, whether a sink holds back: in bursts, and besides for 64 of every 256 clocks, which is so
+/// long that the output of a slow unit fills, too. The seed says where in the 256 it starts.
+class SinkStalls {
+ public:
+  static SinkStalls never() { return SinkStalls(rtl::StallPattern::never(), std::nullopt); }
+  static SinkStalls of_seed(std::uint64_t seed) { return SinkStalls(rtl::StallPattern::bursts(seed), seed); }
+
+  /// Call once a cycle.
+  bool stalls() {
+    const bool in_burst = bursts_.stalls();
+    const bool rests = clock_ && (*clock_)++ % 256 >= 192;
+    return in_burst || rests;
+  }
+
+ private:
+  SinkStalls(rtl::StallPattern bursts, std::optional<std::uint64_t> clock) : bursts_(bursts), clock_(clock) {}
+
+  rtl::StallPattern bursts_;
+  std::optional<std::uint64_t> clock_;
+};
+inline SinkStalls sink_stalls(const RunOptions& options, std::uint64_t number) {
   const bool stalls = options.stalls == Stalls::sink || options.stalls == Stalls::both;
-  return stalls ? rtl::StallPattern::bursts(sink_seed(options, number)) : rtl::StallPattern::never();
+  return stalls ? SinkStalls::of_seed(sink_seed(options, number)) : SinkStalls::never();
 }
 
 /// Pushes stimuli as fast as it is let.
@@ -54,7 +76,7 @@ class Source {
 template <class T>
 class Sink {
  public:
-  Sink(rtl::Channel<T>& channel, rtl::StallPattern stalls) : channel_(channel), stalls_(stalls) {}
+  Sink(rtl::Channel<T>& channel, SinkStalls stalls) : channel_(channel), stalls_(stalls) {}
 
   void tick() {
     const bool holds_back = stalls_.stalls();
@@ -69,7 +91,7 @@ class Sink {
 
  private:
   rtl::Channel<T>& channel_;
-  rtl::StallPattern stalls_;
+  SinkStalls stalls_;
   std::uint64_t cycle_ = 0;
 };
 

@@ -58,7 +58,8 @@ module unit_bench;
   reg [8*1024:1] folder;
   integer trace;
 
-  // rtl_model/kernel/stall.h and random.h, one for each end; memory is one of them.
+  // SinkStalls of testbench/rtl/ports.h; rtl_model/kernel/stall.h and random.h, one for each end; memory is one of them.
+  reg [7:0] sink_clock;
   reg [63:0] source_state, source_left, sink_state, sink_left, memory_state;
   reg source_holds, sink_holds;
   function [63:0] mixed(input [63:0] state);
@@ -102,7 +103,8 @@ module unit_bench;
       if (sink_stalls != 0) draw_sink_stall;
       source_valid = ~source_holds & (sent < size);
       source_data  = stimuli[sent < size ? first + sent : 0];
-      sink_ready   = ~sink_holds;
+      sink_ready   = ~(sink_holds | (sink_stalls != 0 & sink_clock >= 192));
+      sink_clock   = sink_clock + 1;
       memory_delay = sink_stalls != 0 ? mixed(memory_state + GAMMA) % 14 : 0;
       #1;
       if (jobs_valid & jobs_ready) begin
@@ -125,6 +127,7 @@ module unit_bench;
   task run_case;
     begin
       {source_state, sink_state, memory_state} = cases[index][255:64];
+      sink_clock   = sink_state[7:0];
       size         = cases[index][63:32];
       wanted       = cases[index][31:0];
       source_left  = 0;

@@ -33,6 +33,7 @@ tail -n 1 out >rtl_stream
 for transport in bulk ftdi-uart ftdi-fifo; do
   for unit in axis stream; do
     with "--transport $transport" 0 check "$sets/${unit}_compressor.vec" --backend board
+    says out "corners of the model: not observed by board, golden"
     tail -n 1 out | cmp - rtl_$unit || fail "$unit over $transport: counts differ from rtl"
   done
 done

@@ -34,6 +34,10 @@ expect 0 regress --backend gateware --unit axis_compressor --json report.json
 json "j['failed'] == 0 and j['passed'] > 100000"
 json "{s['backend'] for s in j['sets']} == {'gateware'} and {s['mode'] for s in j['sets']} == {'none', 'both'}"
 
+expect 0 check "$SOURCE/vectors/sets/axis_compressor.vec" --backend gateware
+says out "corners of the model: not observed by gateware, golden"
+! grep -q 'warning: corner' out || fail "corners that nobody looked at are said to be missed"
+
 # What the backend does not have is neither run nor passed.
 expect 77 check "$SOURCE/vectors/sets/refit_unit.vec" --backend gateware
 says err "backend gateware: has no unit 'refit_unit', only: axis_compressor"

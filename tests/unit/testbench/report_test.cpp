@@ -51,6 +51,18 @@ std::string error_of(const std::vector<NamedReport>& parts) {
   return "no error";
 }
 
+TEST(Report, corners_that_no_backend_observes_are_not_said_to_be_missed) {
+  Report report = sample_run({});
+  report.corners["axis_full_grid"] = 0;
+  EXPECT_NE(to_string(report).find("warning: corner axis_full_grid was never hit"), std::string::npos);
+  report.corners.clear();
+  report.sets.push_back(report.sets[0]);
+  report.sets[1].backend = "board";
+  const std::string text = to_string(report);
+  EXPECT_NE(text.find("corners of the model: not observed by board, rtl\n"), std::string::npos);
+  EXPECT_EQ(text.find("corner axis_full_grid"), std::string::npos);
+}
+
 TEST(Report, counts_every_check_once) {
   const Verdict verdict = judge(sample_run({}));
   EXPECT_EQ(verdict.passed, 28u);
