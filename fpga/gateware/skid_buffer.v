@@ -13,31 +13,27 @@ module skid_buffer #(
     input  wire             out_ready,
     output wire [WIDTH-1:0] out_data
 );
-  reg [WIDTH-1:0] entry_0;
-  reg [WIDTH-1:0] entry_1;
-  reg             head;
+  reg [WIDTH-1:0] oldest;
+  reg [WIDTH-1:0] newer;  // behind it, while full
   reg             occupied;
   reg             full;
 
-  wire push = in_valid & in_ready;
-  wire pop = out_valid & out_ready;
-  wire tail = head ^ occupied;
-
+  // A register that moves up rather than a choice between two: a look-up table and a flip-flop of one logic cell a bit.
+  // Where the taker is always ready, synthesis sees that it is never full and drops the second entry.
+  wire stays = occupied & ~out_ready;
   assign in_ready  = ~full;
   assign out_valid = occupied;
-  assign out_data  = head ? entry_1 : entry_0;
+  assign out_data  = oldest;
 
   always @(posedge clk) begin
-    if (push & ~tail) entry_0 <= in_data;
-    if (push & tail) entry_1 <= in_data;
+    if (~stays) oldest <= full ? newer : in_data;
+    if (~full) newer <= in_data;
     if (reset) begin
-      head     <= 1'b0;
       occupied <= 1'b0;
       full     <= 1'b0;
     end else begin
-      head     <= head ^ pop;
-      occupied <= push | (occupied & (full | ~pop));
-      full     <= full ? ~pop : (occupied & push & ~pop);
+      occupied <= in_valid | full | stays;
+      full     <= stays & (in_valid | full);
     end
   end
 endmodule

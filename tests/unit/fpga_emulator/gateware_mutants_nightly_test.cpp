@@ -77,7 +77,7 @@ TEST(GatewareCoreMutants, each_is_noticed) {
       {"batch_runner.v", "source_valid <= 1'b0;\n        end\n        if (popped)", "end\n        if (popped)"},
       {"unit_socket.v", "taken = stimuli_valid & stimuli_ready", "taken = stimuli_ready"},
       {"axis_compressor.v", "upper_floor_1 + 26'sd1", "upper_floor_1"},
-      {"skid_buffer.v", "out_data  = head ?", "out_data  = ~head ?"},
+      {"skid_buffer.v", "oldest <= full ? newer", "oldest <= ~full ? newer"},
   };
   ModelCore model = model_core("axis_compressor", 6);
   const Transcript vectors_wanted = run_vectors(model, "axis_compressor", 6, 40);
