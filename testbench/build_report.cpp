@@ -5,7 +5,8 @@
 
 #include <chrono>
 
-#include "golden/build/lbvh.h"
+#include "golden/build/builder.h"
+#include "golden/build/node_tree.h"
 #include "golden/quantize/scale.h"
 #include "golden/tree/digest.h"
 #include "golden/tree/sah.h"
@@ -24,13 +25,19 @@ Json traffic_to_json(const golden::Traffic& traffic) {
           {"ratio", traffic.ratio()}};
 }
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 bool same_root(const golden::CompressedTree& a, const golden::CompressedTree& b) { return a.root == b.root; }
 
 }  // namespace
 
 BuildResult build_and_compare(const golden::Mesh& mesh, const BuildJob& job) {
+  const golden::Builder builder("--builder", job.builder);
   const auto start = std::chrono::steady_clock::now();
-  const golden::FloatTree floats = golden::build_lbvh(mesh);
+  const golden::FloatTree floats = builder.build(mesh);
+  const double build_seconds = seconds_since(start);
   StreamOptions stream = job.stream;
   stream.rules.min_scale = job.min_scale.value_or(golden::exactness_limit(floats.largest_magnitude));
   StreamedTree streamed;
@@ -42,14 +49,17 @@ BuildResult build_and_compare(const golden::Mesh& mesh, const BuildJob& job) {
   const bool identical = streamed.tree.pairs == top_down.pairs && same_root(streamed.tree, top_down);
   const bool same_backtracks = job.golden_streaming || streamed.repairs == reference.counts.backtracks;
   const auto violations = golden::validate(streamed.tree, floats);
-  const auto traffic = golden::update_traffic(floats.primitives, floats.pairs.size(), reference.counts.backtracks);
+  const auto traffic =
+      golden::update_traffic(floats.primitive_ids.size(), floats.pairs.size(), reference.counts.backtracks);
   Json texts = Json::array();
   for (const golden::Violation& violation : violations) texts.push_back(golden::to_string(violation));
   Json json = {{"treelet", stream.treelet},
                {"bits", stream.rules.bits},
                {"triangles", floats.primitives},
+               {"references", floats.primitive_ids.size()},
                {"leaves", floats.leaves},
                {"pairs", floats.pairs.size()},
+               {"depth", golden::depth(floats)},
                {"e_min", stream.rules.min_scale},
                {"root_exponents", {top_down.root[0].scale, top_down.root[1].scale, top_down.root[2].scale}},
                {"digest", fmt::format("{:016x}", golden::digest(streamed.tree))},
@@ -64,7 +74,8 @@ BuildResult build_and_compare(const golden::Mesh& mesh, const BuildJob& job) {
                {"violations", violations.size()},
                {"violation_texts", texts},
                {"cycles", streamed.cycles}};
-  json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  json["build_seconds"] = build_seconds;
+  json["seconds"] = seconds_since(start);
   return {std::move(streamed.tree), std::move(json), identical && same_backtracks && violations.empty()};
 }
 

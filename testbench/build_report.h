@@ -11,6 +11,7 @@
 namespace cbvh::testbench {
 
 struct BuildJob {
+  std::string builder = "lbvh";  ///< "NAME[,key=value...]"
   StreamOptions stream;          ///< its rules' min_scale is set by build_and_compare
   std::optional<int> min_scale;  ///< empty: the scene's exactness limit
   bool golden_streaming = false;
@@ -22,7 +23,7 @@ struct BuildResult {
   bool pass;  ///< identical to the top-down tree, and no violation
 };
 
-/// Builds an LBVH, streams it and compresses it top-down, compares both and measures what it cost.
+/// Builds a tree, streams it and compresses it top-down, compares both and measures what it cost.
 BuildResult build_and_compare(const golden::Mesh& mesh, const BuildJob& job);
 
 /// The figures for people.

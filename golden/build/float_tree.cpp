@@ -34,8 +34,15 @@ std::vector<Box> triangle_boxes(const Mesh& mesh) {
   return boxes;
 }
 
-void check_counts(const std::string& place, std::uint64_t primitives, std::uint64_t pairs) {
-  if (primitives > kMaxCount) throw InputError(place, fmt::format("{} primitives, want at most 2^27", primitives));
+double half_area(const Box& box) {
+  const double x = static_cast<double>(box.upper.x) - static_cast<double>(box.lower.x);
+  const double y = static_cast<double>(box.upper.y) - static_cast<double>(box.lower.y);
+  const double z = static_cast<double>(box.upper.z) - static_cast<double>(box.lower.z);
+  return x * y + y * z + z * x;
+}
+
+void check_counts(const std::string& place, std::uint64_t references, std::uint64_t pairs) {
+  if (references > kMaxCount) throw InputError(place, fmt::format("{} primitives, want at most 2^27", references));
   if (pairs > kMaxCount) throw InputError(place, fmt::format("{} node pairs, want at most 2^27", pairs));
 }
 

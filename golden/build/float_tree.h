@@ -27,7 +27,8 @@ struct FloatPair {
 struct FloatTree {
   std::vector<FloatPair>
       pairs;  ///< emission order: depth first, bottom up; children before parents, the root pair last
-  std::vector<std::uint32_t> primitive_ids;  ///< leaf after leaf; kLastOfLeaf marks the last of its leaf
+  std::vector<std::uint32_t> primitive_ids;  ///< leaf after leaf; kLastOfLeaf marks the last of its leaf. Each
+                                             ///< primitive once, or in several leaves if the builder splits triangles
   std::uint32_t leaves = 0;                  ///< pairs.size() + 1; a scene that is one leaf has no pairs
   std::uint32_t primitives = 0;
   Box scene;                    ///< the root node's box
@@ -47,7 +48,10 @@ float largest_magnitude(const Box& box);
 /// keep what mesh.h promises (DESIGN section 3, rule 1), and when it has no triangles or more than kMaxCount.
 std::vector<Box> triangle_boxes(const Mesh& mesh);
 
+/// Half the surface of a box, in binary64: extents of 2^129 are welcome.
+double half_area(const Box& box);
+
 /// Throws InputError when the counts do not fit the 27-bit pointers of a node pair; `place` names the scene.
-void check_counts(const std::string& place, std::uint64_t primitives, std::uint64_t pairs);
+void check_counts(const std::string& place, std::uint64_t references, std::uint64_t pairs);
 
 }  // namespace cbvh::golden

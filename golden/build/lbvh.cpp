@@ -107,6 +107,13 @@ FloatTree build_lbvh(const Mesh& mesh) {
   return tree;
 }
 
+BuilderKind lbvh_builder() {
+  return {"lbvh",
+          "linear BVH: split at the highest differing bit of 30-bit Morton codes; equal codes share a leaf",
+          {},
+          [](const Mesh& mesh, const OptionValues&) { return build_lbvh(mesh); }};
+}
+
 FloatTree build_hierarchy(std::span<const CodedBox> sorted) {
   FloatTree tree;
   const auto box_of = [sorted](std::size_t i) { return sorted[i].box; };

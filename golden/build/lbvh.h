@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "golden/build/float_tree.h"
+#include "golden/build/builder.h"
 
 namespace cbvh::golden {
 
@@ -11,6 +11,9 @@ namespace cbvh::golden {
 /// input order and share a leaf), split at the highest differing bit, emitted depth first and bottom up. Throws
 /// InputError as triangle_boxes does.
 FloatTree build_lbvh(const Mesh& mesh);
+
+/// build_lbvh as a kind of builder; without options.
+BuilderKind lbvh_builder();
 
 /// A primitive's box and its place on the Morton curve.
 struct CodedBox {

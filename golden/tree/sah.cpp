@@ -6,14 +6,6 @@
 namespace cbvh::golden {
 namespace {
 
-/// Half the surface of a box, in double: extents of 2^129 are welcome.
-double half_area(const Box& box) {
-  const double x = static_cast<double>(box.upper.x) - static_cast<double>(box.lower.x);
-  const double y = static_cast<double>(box.upper.y) - static_cast<double>(box.lower.y);
-  const double z = static_cast<double>(box.upper.z) - static_cast<double>(box.lower.z);
-  return x * y + y * z + z * x;
-}
-
 double primitives_of(const std::vector<std::uint32_t>& ids, std::size_t first) {
   std::size_t last = first;
   while ((ids[last] & kLastOfLeaf) == 0) ++last;

@@ -1,6 +1,8 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "golden/tree/tree_file.h"
 
+#include <algorithm>
+
 #include "golden/build/float_tree.h"
 #include "golden/quantize/scale.h"
 #include "golden/scene/read_file.h"
@@ -78,8 +80,14 @@ void check_crc(ByteReader& in, std::size_t begin, const char* part) {
   if (found != wanted) in.fail(at, fmt::format("CRC-32C of the {}: found {:08x}, want {:08x}", part, found, wanted));
 }
 
+/// The counts that a section may have.
+struct CountRange {
+  std::uint64_t least;
+  std::uint64_t most;  ///< 2^27 and less
+};
+
 template <class TakeRecord>
-void take_section(ByteReader& in, std::uint32_t tag, std::uint32_t record_bytes, std::uint64_t count, const char* part,
+void take_section(ByteReader& in, std::uint32_t tag, std::uint32_t record_bytes, CountRange range, const char* part,
                   TakeRecord take_record) {
   const std::size_t begin = in.offset();
   const auto expect = [&](std::uint64_t found, std::uint64_t wanted, const char* field) {
@@ -87,8 +95,12 @@ void take_section(ByteReader& in, std::uint32_t tag, std::uint32_t record_bytes,
   };
   expect(in.u32(), tag, "tag");
   expect(in.u32(), record_bytes, "record size");
-  expect(in.u64(), count, "record count");
-  in.need(count * record_bytes + 4);  // count is at most 2^27
+  const std::uint64_t count = in.u64();
+  if (count < range.least || count > range.most) {
+    in.fail(begin, fmt::format("record count of the {}: found {}, want {}{}", part, count, range.least,
+                               range.most > range.least ? fmt::format(" to {}", range.most) : ""));
+  }
+  in.need(count * record_bytes + 4);
   for (std::uint64_t i = 0; i < count; ++i) take_record();
   check_crc(in, begin, part);
 }
@@ -148,9 +160,8 @@ CompressedTree take_header(ByteReader& in) {
   } catch (const InputError& error) {
     in.fail(kRulesOffset, error.what());
   }
-  if (tree.primitives == 0 || tree.primitives > kMaxCount || tree.leaves == 0 || tree.leaves > tree.primitives) {
-    in.fail(counts, fmt::format("{} leaves of {} primitives, want 1 .. 2^27 primitives and no more leaves", tree.leaves,
-                                tree.primitives));
+  if (tree.primitives == 0 || tree.primitives > kMaxCount || tree.leaves == 0 || tree.leaves > kMaxCount) {
+    in.fail(counts, fmt::format("{} leaves of {} primitives, want 1 .. 2^27 of both", tree.leaves, tree.primitives));
   }
   return tree;
 }
@@ -176,9 +187,11 @@ CompressedTree tree_from_bytes(std::string_view bytes, const std::string& name) 
   CompressedTree tree = take_header(in);
   const std::uint32_t record = pair_bytes(tree.rules);
   const std::size_t pairs_at = in.offset() + 16;
-  take_section(in, kPairs, record, tree.leaves - 1, "node pairs", [&] { tree.pairs.push_back(take_pair(in, record)); });
+  const std::uint64_t pairs = tree.leaves - 1;
+  take_section(in, kPairs, record, {pairs, pairs}, "node pairs", [&] { tree.pairs.push_back(take_pair(in, record)); });
   const std::size_t ids_at = in.offset() + 16;
-  take_section(in, kIds, kId, tree.primitives, "primitive IDs", [&] { tree.primitive_ids.push_back(in.u32()); });
+  const CountRange ids{std::max(tree.primitives, tree.leaves), kMaxCount};
+  take_section(in, kIds, kId, ids, "primitive IDs", [&] { tree.primitive_ids.push_back(in.u32()); });
   if (in.left() != 0) in.fail(in.offset(), fmt::format("{} bytes after the end", in.left()));
 
   const std::vector<Violation> violations = validate(tree, 1);

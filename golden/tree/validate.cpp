@@ -57,21 +57,35 @@ class LeafEntries {
     }
   }
 
+  /// Every primitive is there, and none a second time: in its leaf or, if there are no more entries than primitives,
+  /// anywhere.
   void check_ids() {
-    std::vector<bool> seen(tree.primitives);
+    const bool shared = tree.primitive_ids.size() > tree.primitives;
+    constexpr std::size_t kNowhere = SIZE_MAX;
+    std::vector<std::size_t> seen_in(tree.primitives, kNowhere);
+    std::size_t leaf = 0;  // its first entry
     for (std::size_t entry = 0; entry < tree.primitive_ids.size(); ++entry) {
       const std::uint32_t id = tree.primitive_ids[entry] & ~kLastOfLeaf;
-      if (id < tree.primitives && !seen[id]) {
-        seen[id] = true;
-        continue;
+      if (id >= tree.primitives) {
+        add(entry, fmt::format("primitive {}, want below {}", id, tree.primitives));
+      } else if (seen_in[id] == leaf || (!shared && seen_in[id] != kNowhere)) {
+        add(entry, fmt::format("primitive {} a second time", id));
+      } else {
+        seen_in[id] = leaf;
       }
-      findings.add(Where::primitive_id, static_cast<std::uint32_t>(entry), -1,
-                   id < tree.primitives ? fmt::format("primitive {} a second time", id)
-                                        : fmt::format("primitive {}, want below {}", id, tree.primitives));
+      if ((tree.primitive_ids[entry] & kLastOfLeaf) != 0) leaf = entry + 1;
+    }
+    if (!shared) return;  // then a missing one shows as another's second time
+    for (std::uint32_t id = 0; id < tree.primitives; ++id) {
+      if (seen_in[id] == kNowhere) findings.add(fmt::format("primitive {} is in no leaf", id));
     }
   }
 
  private:
+  void add(std::size_t entry, std::string what) {
+    findings.add(Where::primitive_id, static_cast<std::uint32_t>(entry), -1, std::move(what));
+  }
+
   const CompressedTree& tree;
   Findings& findings;
   std::vector<bool> claimed;
@@ -206,7 +220,7 @@ class Walk {
 void check_header(const CompressedTree& tree, Findings& findings) {
   try {
     check_rules(tree.rules);
-    check_counts("counts", tree.primitives, tree.pairs.size());
+    check_counts("counts", tree.primitive_ids.size(), tree.pairs.size());
   } catch (const InputError& error) {
     findings.add(error.what());
     return;
@@ -221,7 +235,7 @@ void check_header(const CompressedTree& tree, Findings& findings) {
   }
   if (tree.root != root_context<Wide>(tree.scene, tree.rules)) findings.add("the root's grid is not the scene box's");
   if (tree.primitives == 0) findings.add("no primitives");
-  if (tree.primitive_ids.size() != tree.primitives) {
+  if (tree.primitive_ids.size() < tree.primitives) {
     findings.add(fmt::format("{} primitive IDs for {} primitives", tree.primitive_ids.size(), tree.primitives));
   }
   if (tree.leaves != tree.pairs.size() + 1)

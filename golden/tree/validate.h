@@ -23,9 +23,10 @@ struct Violation {
 std::string to_string(const Violation& violation);
 
 /// Checks a tree that may hold anything: the rules and counts agree; every pointer is in range; every pair is reached
-/// exactly once from the root, so there is no cycle; leaves are disjoint and reach every primitive exactly once; every
-/// code fits its bits; every quantized box is a box, lies in its parent's and spans no more cells than the rules allow.
-/// Exact; at most `most` violations are returned.
+/// exactly once from the root, so there is no cycle; leaves are disjoint, reach every primitive and
+/// have none twice (several leaves may share one: builders that split triangles make such trees); every code fits its
+/// bits; every quantized box is a box, lies in its parent's and spans no more cells than the rules allow. Exact; at
+/// most `most` violations are returned.
 std::vector<Violation> validate(const CompressedTree& tree, std::size_t most = 100);
 
 /// All of that, and: the tree has the float tree's pairs and leaves, and every quantized box encloses its float box.

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "golden/build/builder.h"
 #include "golden/scene/load.h"
 #include "golden/tree/tree_file.h"
 #include "testbench/build_report.h"
@@ -29,7 +30,7 @@ struct Options {
 
 int run(const Options& options) {
   BuildJob job;
-  choice("--builder", options.builder, {"lbvh"});
+  job.builder = options.builder;
   job.stream.code =
       choice("--code", options.code, {"modulo", "relative"}) == 0 ? golden::Code::modulo : golden::Code::relative;
   job.stream.rules.scale_rule = choice("--scale-rule", options.scale_rule, {"equation2", "figure5"}) == 0
@@ -66,7 +67,7 @@ void add_build_command(CommandLine& commands) {
   command.add_option("scene", options->scene, "a .glb, .gltf, .obj or .ply file, or proc:NAME[,key=value...]")
       ->required()
       ->type_name("SCENE");
-  command.add_option("--builder", options->builder, "lbvh")->capture_default_str();
+  command.add_option("--builder", options->builder, "NAME[,key=value...], see below")->capture_default_str();
   command.add_option("--code", options->code, "modulo or relative")->capture_default_str();
   command.add_option("--treelet", options->treelet, "D, levels of a treelet, 1..8")->capture_default_str();
   command.add_option("--bits", options->bits, "N, bits a coordinate, 2..8")->capture_default_str();
@@ -78,7 +79,7 @@ void add_build_command(CommandLine& commands) {
   command.add_option("--streaming", options->streaming, "who streams: rtl, or golden where the hardware refuses")
       ->capture_default_str();
   command.add_option("-o,--output", options->file, "write the tree")->type_name("FILE");
-  command.footer(golden::procedural_scene_help());
+  command.footer("Builders:\n" + golden::builder_help() + "\nProcedural scenes:\n" + golden::procedural_scene_help());
   options->output.add_option(command);
 }
 

@@ -19,7 +19,7 @@ void append_box(Mesh& mesh, const glm::vec3& low, const glm::vec3& high) {
   }
 }
 
-Mesh make(const SceneOptions& options) {
+Mesh make(const OptionValues& options) {
   Random random(options.integer("seed"));
   const std::uint64_t boxes = (options.integer("triangles") - 2) / 12;
   std::uint64_t side = 1;

@@ -20,7 +20,7 @@ void append_grid(Mesh& mesh, std::uint64_t n, const At& at) {
 }
 
 /// DESIGN section 3.2, to the letter: reference digests depend on each operation and its order.
-Mesh make(const SceneOptions& options) {
+Mesh make(const OptionValues& options) {
   Mesh mesh;
   const std::uint64_t sheet = options.integer("sheet");
   const auto m = static_cast<float>(sheet);

@@ -40,7 +40,7 @@ glm::vec3 turned_by(const glm::vec3& v, const glm::vec3& r) {
   return (swing + cross(r, swing)) * (2.0f / (1.0f + dot(r, r)));
 }
 
-Mesh make(const SceneOptions& options) {
+Mesh make(const OptionValues& options) {
   Random random(options.integer("seed"));
   const float time = options.real("time");
   Mesh sphere;

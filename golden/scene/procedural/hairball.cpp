@@ -25,7 +25,7 @@ void append_strand(Mesh& mesh, std::uint64_t segments, float width, Random& rand
     append_quad(mesh, base + 2 * i, base + 2 * i + 1, base + 2 * i + 3, base + 2 * i + 2);
 }
 
-Mesh make(const SceneOptions& options) {
+Mesh make(const OptionValues& options) {
   Random random(options.integer("seed"));
   const std::uint64_t segments = options.integer("segments");
   const std::uint64_t strands = std::max<std::uint64_t>(1, options.integer("triangles") / (2 * segments));

@@ -5,7 +5,7 @@
 namespace cbvh::golden {
 namespace {
 
-Mesh make(const SceneOptions& options) {
+Mesh make(const OptionValues& options) {
   Random random(options.integer("seed"));
   const float size = options.real("size");
   Mesh mesh;

@@ -6,7 +6,7 @@
 namespace cbvh::golden {
 namespace {
 
-Mesh make(const SceneOptions& options) {
+Mesh make(const OptionValues& options) {
   Random random(options.integer("seed"));
   const std::uint64_t count = options.integer("spheres");
   const std::uint64_t k = sphere_subdivision(options.integer("triangles"), count);

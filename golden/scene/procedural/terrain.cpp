@@ -29,7 +29,7 @@ class LatticeNoise {
   std::uint64_t seed;
 };
 
-Mesh make(const SceneOptions& options) {
+Mesh make(const OptionValues& options) {
   constexpr int kOctaves = 8;
   const LatticeNoise noise(options.integer("seed"));
   std::uint64_t n = 1;

@@ -36,7 +36,8 @@ refuses "-149..127" build proc:cloth --min-scale -150
 refuses "--bits" build proc:cloth --bits 9
 refuses "--treelet" build proc:cloth --treelet 9
 refuses "known: modulo, relative" build proc:cloth --code modula
-refuses "known: lbvh" build proc:cloth --builder bvh
+refuses "found 'bvh', wanted one of lbvh" build proc:cloth --builder bvh
+refuses "option: found 'bins', but lbvh has none" build proc:cloth --builder lbvh,bins=4
 refuses "known: full, lazy" build proc:cloth --collector best
 refuses "known: rtl, golden" build proc:cloth --streaming board
 refuses "cloth" build proc:clothes

@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "golden/tree/validate.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -94,6 +95,23 @@ TEST(Validate, counts_rules_and_wide_codes_are_checked) {
   bad = good;
   bad.root[1].lower += 1;
   EXPECT_TRUE(mentions(validate(bad), "root's grid"));
+}
+
+TEST(Validate, leaves_may_share_a_primitive_but_none_is_missing_or_twice_in_a_leaf) {
+  const FloatTree floats = build_lbvh(trouble_scene(Trouble::lattice, 1, 40));
+  CompressedTree shared = compress_top_down(floats, auto_rules(floats), Code::modulo);
+  const std::uint32_t first = shared.primitive_ids[0] & ~kLastOfLeaf;
+  shared.primitive_ids.back() &= ~kLastOfLeaf;
+  shared.primitive_ids.push_back(first | kLastOfLeaf);
+  EXPECT_TRUE(validate(shared).empty());
+  CompressedTree twice = shared;
+  *(twice.primitive_ids.end() - 2) = first;
+  EXPECT_TRUE(mentions(validate(twice), fmt::format("primitive {} a second time", first)));
+  CompressedTree missing = shared;
+  const std::uint32_t last = missing.primitives;
+  ++missing.primitives;
+  missing.primitive_ids.insert(missing.primitive_ids.end() - 1, (first + 1) % last);
+  EXPECT_TRUE(mentions(validate(missing), fmt::format("primitive {} is in no leaf", last)));
 }
 
 TEST(Validate, no_more_violations_than_asked_for) {
