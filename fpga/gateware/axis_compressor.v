@@ -21,50 +21,15 @@ module axis_compressor #(
   // Stage 1: both bounds become cell indices.
   wire signed [`CBVH_SCALE_BITS-1:0] job_scale = jobs_data[`CBVH_AXIS_JOB_SCALE];
   wire signed [`CBVH_SCALE_BITS-1:0] job_min_scale = jobs_data[`CBVH_AXIS_JOB_REGISTERS_MIN_SCALE];
-  wire lower_sign, upper_sign, lower_special, upper_special;
-  wire [23:0] lower_mantissa, upper_mantissa;
-  wire signed [`CBVH_SCALE_BITS-1:0] lower_place, upper_place;
-  wire signed [31:0] lower_key, upper_key;
   wire signed [`CBVH_INDEX_BITS-1:0] lower_floor, upper_floor;
   wire [`CBVH_STATUS_BITS-1:0] interval;
-  break_float break_lower (
-      .value(jobs_data[`CBVH_AXIS_JOB_LOWER]),
-      .sign(lower_sign),
-      .mantissa(lower_mantissa),
-      .place(lower_place),
-      .special(lower_special),
-      .key(lower_key)
-  );
-  break_float break_upper (
-      .value(jobs_data[`CBVH_AXIS_JOB_UPPER]),
-      .sign(upper_sign),
-      .mantissa(upper_mantissa),
-      .place(upper_place),
-      .special(upper_special),
-      .key(upper_key)
-  );
-  cell_floor floor_lower (
-      .sign(lower_sign),
-      .mantissa(lower_mantissa),
-      .place(lower_place),
+  interval_cells bounds (
+      .lower(jobs_data[`CBVH_AXIS_JOB_LOWER]),
+      .upper(jobs_data[`CBVH_AXIS_JOB_UPPER]),
       .scale(job_scale),
-      .index(lower_floor)
-  );
-  cell_floor floor_upper (
-      .sign(upper_sign),
-      .mantissa(upper_mantissa),
-      .place(upper_place),
-      .scale(job_scale),
-      .index(upper_floor)
-  );
-  interval_status check (
-      .lower_key(lower_key),
-      .upper_key(upper_key),
-      .lower_place(lower_place),
-      .upper_place(upper_place),
-      .lower_special(lower_special),
-      .upper_special(upper_special),
       .min_scale(job_min_scale),
+      .lower_floor(lower_floor),
+      .upper_floor(upper_floor),
       .status(interval)
   );
 
