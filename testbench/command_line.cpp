@@ -58,7 +58,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
 
 void add_help_command(CLI::App& app, CommandLine& commands) {
   auto name = std::make_shared<std::string>();
-  CLI::App& help = commands.add("help", "What the commands do, or one of them: help COMMAND", [&app, name] {
+  const Command help = commands.add("help", "What the commands do, or one of them: help COMMAND", [&app, name] {
     if (name->empty()) {
       fmt::print("{}", app.help());
       return kPass;
@@ -75,10 +75,10 @@ void add_help_command(CLI::App& app, CommandLine& commands) {
 
 }  // namespace
 
-CLI::App& CommandLine::add(const std::string& name, const std::string& description, std::function<int()> run) {
+Command CommandLine::add(const std::string& name, const std::string& description, std::function<int()> run) {
   CLI::App* command = app_.add_subcommand(name, description);
   command->callback([this, run = std::move(run)] { chosen_ = run; });
-  return *command;
+  return Command(*command);
 }
 
 int run_command_line(int argc, const char* const* argv) {

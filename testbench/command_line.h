@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "testbench/command.h"
 #include "testbench/exit_code.h"
 
 namespace CLI {
@@ -21,7 +22,7 @@ class CommandLine {
 
   /// A new subcommand. `run` is called after all of its options are parsed and returns the exit code; it may throw
   /// InputError and Unavailable.
-  CLI::App& add(const std::string& name, const std::string& description, std::function<int()> run);
+  Command add(const std::string& name, const std::string& description, std::function<int()> run);
 
   int run_chosen() const { return chosen_(); }
 

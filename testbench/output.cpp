@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -25,19 +24,19 @@ void write(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-void Output::add_option(CLI::App& command) {
+void Output::add_option(const Command& command) {
   command
       .add_option("--json", json_path_,
                   "also write the result as JSON to this file; - is stdout, and the text goes to stderr")
-      ->type_name("FILE");
+      .type_name("FILE");
 }
 
-void Output::add_csv_option(CLI::App& command) {
+void Output::add_csv_option(const Command& command) {
   command
       .add_option("--csv", csv_path_,
                   "also write every figure as CSV to this file; - is stdout, and the text goes to stderr")
-      ->type_name("FILE")
-      ->check([this](const std::string& path) {
+      .type_name("FILE")
+      .check([this](const std::string& path) {
         return path == "-" && json_path_ == "-" ? std::string("found - for --json too, want one of them on stdout")
                                                 : std::string();
       });

@@ -3,11 +3,8 @@
 
 #include <string>
 
+#include "testbench/command.h"
 #include "testbench/report/json.h"
-
-namespace CLI {
-class App;
-}
 
 namespace cbvh::testbench {
 
@@ -16,9 +13,9 @@ namespace cbvh::testbench {
 class Output {
  public:
   /// Adds --json.
-  void add_option(CLI::App& command);
+  void add_option(const Command& command);
   /// Adds --csv, which not every command has.
-  void add_csv_option(CLI::App& command);
+  void add_csv_option(const Command& command);
 
   void text(const std::string& text) const;
   /// Writes the JSON, if it was asked for. `write` names no file: nothing happens.

@@ -1,26 +1,25 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "testbench/board/connection.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "testbench/unavailable.h"
 
 namespace cbvh::testbench {
 
-void add_board_options(CLI::App& command) {
+void add_board_options(const Command& command) {
   BoardSettings& settings = BoardConnection::instance().settings;
   command
       .add_option("--device", settings.device,
                   "of backend board: usb:VVVV:PPPP, serial=TEXT or BUS:ADDRESS; the only board there is")
-      ->envname("CBVH_BOARD")
-      ->type_name("WHICH");
-  command.add_option("--baud", settings.baud, "of a board behind a UART")->capture_default_str();
+      .envname("CBVH_BOARD")
+      .type_name("WHICH");
+  command.add_option("--baud", settings.baud, "of a board behind a UART").capture_default_str();
   command
       .add_option("--link-timeout", settings.timeout_ms,
                   "milliseconds of a board's silence, after which it is asked; more than the longest batch takes")
-      ->check(CLI::Range(1U, 3600000U))
-      ->capture_default_str();
+      .range(1, 3600000)
+      .capture_default_str();
 }
 
 BoardConnection& BoardConnection::instance() {

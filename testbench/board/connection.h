@@ -9,10 +9,7 @@
 
 #include "fpga/host/boards.h"
 #include "fpga/host/session.h"
-
-namespace CLI {
-class App;
-}
+#include "testbench/command.h"
 
 namespace cbvh::testbench {
 
@@ -25,7 +22,7 @@ struct BoardSettings {
 
 /// Adds --device, whose default is CBVH_BOARD of the environment, --baud and --link-timeout; they set
 /// BoardConnection::settings.
-void add_board_options(CLI::App& command);
+void add_board_options(const Command& command);
 
 /// This process's conversation with its board. It is begun when it is first needed, and ends with the process.
 class BoardConnection {

@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -163,14 +162,14 @@ int run(const Options& options) {
 
 void add_bench_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = commands.add(
+  const Command command = commands.add(
       "bench", "Measures the model against the golden, text vectors, and builds and simulations of growing scenes",
       [options] { return run(*options); });
-  command.add_option("--cases", options->cases, "axis compressor cases")->capture_default_str();
-  command.add_option("--scene", options->scene, "the scene to build")->capture_default_str()->type_name("SCENE");
+  command.add_option("--cases", options->cases, "axis compressor cases").capture_default_str();
+  command.add_option("--scene", options->scene, "the scene to build").capture_default_str().type_name("SCENE");
   command.add_option("--sizes", options->sizes, "triangles of the terrains to build")
-      ->capture_default_str()
-      ->type_name("N...");
+      .capture_default_str()
+      .type_name("N...");
   options->output.add_option(command);
 }
 

@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "testbench/board/bench.h"
@@ -111,28 +110,28 @@ int bench(const Options& options) {
 void add_board_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
   auto chosen = std::make_shared<int (*)(const Options&)>(nullptr);
-  CLI::App& board =
+  const Command board =
       commands.add("board", "A board on USB: what is plugged in, what it has, whether and how fast it works",
                    [options, chosen] { return (*chosen)(*options); });
   board.require_subcommand(1);
-  const auto add = [&](const char* name, const char* description, int (*run)(const Options&)) -> CLI::App& {
-    CLI::App& command = *board.add_subcommand(name, description);
+  const auto add = [&](const char* name, const char* description, int (*run)(const Options&)) {
+    const Command command = board.add_subcommand(name, description);
     command.callback([chosen, run] { *chosen = run; });
     options->output.add_option(command);
     return command;
   };
   add("list", "Lists the devices that may be boards", &list);
   add_board_options(add("info", "What a board says of itself", &info));
-  CLI::App& test =
+  const Command test =
       add("selftest", "Runs generated cases of every unit that a board has, and compares with the golden", &selftest);
   test.add_option("--cases", options->selftest.cases, "of a unit without state; a tenth of one with state")
-      ->capture_default_str();
-  test.add_option("--seed", options->selftest.seed, "of the cases")->capture_default_str();
+      .capture_default_str();
+  test.add_option("--seed", options->selftest.seed, "of the cases").capture_default_str();
   add_board_options(test);
-  CLI::App& speed = add("bench", "Measures vectors and bytes a second, and what frames cost", &bench);
-  speed.add_option("--unit", options->bench.unit, "whose vectors")->capture_default_str()->type_name("UNIT");
-  speed.add_option("--cases", options->bench.cases, "of a set")->capture_default_str();
-  speed.add_option("--repeat", options->bench.repeat, "how often to run the set")->capture_default_str();
+  const Command speed = add("bench", "Measures vectors and bytes a second, and what frames cost", &bench);
+  speed.add_option("--unit", options->bench.unit, "whose vectors").capture_default_str().type_name("UNIT");
+  speed.add_option("--cases", options->bench.cases, "of a set").capture_default_str();
+  speed.add_option("--repeat", options->bench.repeat, "how often to run the set").capture_default_str();
   add_board_options(speed);
 }
 

@@ -1,5 +1,4 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "golden/build/builder.h"
@@ -61,24 +60,24 @@ int run(const Options& options) {
 
 void add_build_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = commands.add(
+  const Command command = commands.add(
       "build", "Builds a scene's quantized tree as the hardware streams it, and compares it with the top-down one",
       [options] { return run(*options); });
   command.add_option("scene", options->scene, "a .glb, .gltf, .obj or .ply file, or proc:NAME[,key=value...]")
-      ->required()
-      ->type_name("SCENE");
-  command.add_option("--builder", options->builder, "NAME[,key=value...], see below")->capture_default_str();
-  command.add_option("--code", options->code, "modulo or relative")->capture_default_str();
-  command.add_option("--treelet", options->treelet, "D, levels of a treelet, 1..8")->capture_default_str();
-  command.add_option("--bits", options->bits, "N, bits a coordinate, 2..8")->capture_default_str();
+      .required()
+      .type_name("SCENE");
+  command.add_option("--builder", options->builder, "NAME[,key=value...], see below").capture_default_str();
+  command.add_option("--code", options->code, "modulo or relative").capture_default_str();
+  command.add_option("--treelet", options->treelet, "D, levels of a treelet, 1..8").capture_default_str();
+  command.add_option("--bits", options->bits, "N, bits a coordinate, 2..8").capture_default_str();
   command.add_option("--scale-rule", options->scale_rule, "equation2, or figure5 to compare with the paper's tables")
-      ->capture_default_str();
-  command.add_option("--min-scale", options->min_scale, "e_min: auto, or an exponent -149..127")->capture_default_str();
+      .capture_default_str();
+  command.add_option("--min-scale", options->min_scale, "e_min: auto, or an exponent -149..127").capture_default_str();
   command.add_option("--collector", options->collector, "the treelet collector: full (the paper's) or lazy")
-      ->capture_default_str();
+      .capture_default_str();
   command.add_option("--streaming", options->streaming, "who streams: rtl, or golden where the hardware refuses")
-      ->capture_default_str();
-  command.add_option("-o,--output", options->file, "write the tree")->type_name("FILE");
+      .capture_default_str();
+  command.add_option("-o,--output", options->file, "write the tree").type_name("FILE");
   command.footer("Builders:\n" + golden::builder_help() + "\nProcedural scenes:\n" + golden::procedural_scene_help());
   options->output.add_option(command);
 }

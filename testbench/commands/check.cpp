@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 
@@ -111,20 +110,20 @@ int run(const Options& options) {
 
 void add_check_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = commands.add(
+  const Command command = commands.add(
       "check",
       "Runs a vector file: its responses against the golden, then a backend against its responses, bit for bit",
       [options] { return run(*options); });
-  command.add_option("file", options->file, "a vector file of any format")->required()->type_name("FILE");
-  command.add_option("--backend", options->backend, "who runs it")->capture_default_str()->type_name("NAME");
+  command.add_option("file", options->file, "a vector file of any format").required().type_name("FILE");
+  command.add_option("--backend", options->backend, "who runs it").capture_default_str().type_name("NAME");
   command.add_option("--stalls", options->stalls, "which ends hold back: none, source, sink, both")
-      ->capture_default_str()
-      ->type_name("MODE");
+      .capture_default_str()
+      .type_name("MODE");
   command.add_option("--shuffle", options->shuffle, "evaluate modules in a random order, from this seed")
-      ->type_name("SEED");
-  command.add_option("--only", options->only, "only the case of this id")->type_name("ID");
+      .type_name("SEED");
+  command.add_option("--only", options->only, "only the case of this id").type_name("ID");
   command.add_flag("--dump-case", options->dump_case, "print the case of --only as a vector file");
-  command.add_option("--threads", options->threads, "threads; 0: one a core")->capture_default_str();
+  command.add_option("--threads", options->threads, "threads; 0: one a core").capture_default_str();
   add_board_options(command);
   options->output.add_option(command);
 }

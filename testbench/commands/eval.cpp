@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -106,25 +105,25 @@ int run(const Options& options) {
 
 void add_eval_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = commands.add("eval", "The paper's evaluation for any scenes, beside the paper's own figures",
-                                   [options] { return run(*options); });
+  const Command command = commands.add("eval", "The paper's evaluation for any scenes, beside the paper's own figures",
+                                       [options] { return run(*options); });
   command.add_option("scenes", options->scenes, "each a .glb, .gltf, .obj or .ply file, or proc:NAME[,key=value...]")
-      ->type_name("SCENE...")
-      ->capture_default_str();
+      .type_name("SCENE...")
+      .capture_default_str();
   command.add_option("--only", options->only, fmt::format("sections, of {}", fmt::join(section_names(), ",")))
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("SECTION,...");
+      .delimiter(',')
+      .allow_extra_args(false)
+      .type_name("SECTION,...");
   command.add_option("--scale-rule", options->scale_rule, "equation2, or figure5 to compare with the paper's tables")
-      ->capture_default_str();
+      .capture_default_str();
   command.add_option("--min-scale", options->min_scale, "e_min: auto, or an exponent -149..127; the paper's is -30")
-      ->capture_default_str();
+      .capture_default_str();
   command.add_option("--min-scales", options->min_scales, "those of Figure 10")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("E,...")
-      ->capture_default_str();
-  command.add_option("-j,--jobs,--threads", options->jobs, "threads; 0: one a core")->capture_default_str();
+      .delimiter(',')
+      .allow_extra_args(false)
+      .type_name("E,...")
+      .capture_default_str();
+  command.add_option("-j,--jobs,--threads", options->jobs, "threads; 0: one a core").capture_default_str();
   command.footer(golden::procedural_scene_help());
   options->output.add_option(command);
   options->output.add_csv_option(command);

@@ -1,5 +1,4 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -34,10 +33,10 @@ int run(const Options& options) {
 
 void add_gateware_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = commands.add(
+  const Command command = commands.add(
       "gateware", "Writes cbvh_constants.vh: the constants that the Verilog twins share with the C++ modules",
       [options] { return run(*options); });
-  command.add_option("-o,--output", options->file, "the file; without it, stdout")->type_name("FILE");
+  command.add_option("-o,--output", options->file, "the file; without it, stdout").type_name("FILE");
   command.add_flag(
       "--board", options->board,
       "engine/cbvh_board.vh instead: numbers of the board link, and what the frame engine knows of each unit");

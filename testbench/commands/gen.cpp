@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "testbench/command_line.h"
@@ -52,18 +51,18 @@ int run(const Options& options) {
 
 void add_gen_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = commands.add("gen", "Generates vectors of a unit with the golden's responses",
-                                   [options] { return run(*options); });
-  command.add_option("--unit", options->unit, "the unit (see cbvh units)")->required()->type_name("UNIT");
-  command.add_option("--cases", options->cases, "number of cases")->capture_default_str();
-  command.add_option("--seed", options->seed, "seed of the random parts")->capture_default_str();
-  command.add_option("--bits", options->parameters.bits, "N, bits a coordinate, 2..8")->capture_default_str();
-  command.add_option("--treelet", options->parameters.treelet, "D, levels of a treelet, 1..8")->capture_default_str();
+  const Command command = commands.add("gen", "Generates vectors of a unit with the golden's responses",
+                                       [options] { return run(*options); });
+  command.add_option("--unit", options->unit, "the unit (see cbvh units)").required().type_name("UNIT");
+  command.add_option("--cases", options->cases, "number of cases").capture_default_str();
+  command.add_option("--seed", options->seed, "seed of the random parts").capture_default_str();
+  command.add_option("--bits", options->parameters.bits, "N, bits a coordinate, 2..8").capture_default_str();
+  command.add_option("--treelet", options->parameters.treelet, "D, levels of a treelet, 1..8").capture_default_str();
   command.add_option("--scene", options->scene, "capture what the unit meets in this scene instead; --cases at most")
-      ->type_name("SCENE");
+      .type_name("SCENE");
   command.add_option("-o,--output", options->file, "the file: .vec text, .hex for $readmemh, .bin binary")
-      ->required()
-      ->type_name("FILE");
+      .required()
+      .type_name("FILE");
   options->output.add_option(command);
 }
 

@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -80,16 +79,17 @@ int run(const Options& options) {
 void add_lockstep_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
   options->stalls = stall_names();
-  CLI::App& command = commands.add("lockstep", "Verilog twins beside their C++ modules: every signal of every cycle",
-                                   [options] { return run(*options); });
-  command.add_option("twin", options->twins, "only these twins")->type_name("TWIN");
+  const Command command =
+      commands.add("lockstep", "Verilog twins beside their C++ modules: every signal of every cycle",
+                   [options] { return run(*options); });
+  command.add_option("twin", options->twins, "only these twins").type_name("TWIN");
   command.add_option("--cycles", options->cycles, "at least, for each twin and each pattern of stalls")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber)
-      ->type_name("C");
-  command.add_option("--stalls", options->stalls, "only these patterns: none, source, sink, both")->type_name("MODE");
-  command.add_option("--seed", options->seed, "of jobs and stalls")->capture_default_str()->type_name("SEED");
-  command.add_option("--threads", options->threads, "0: one a core")->capture_default_str()->type_name("T");
+      .capture_default_str()
+      .positive()
+      .type_name("C");
+  command.add_option("--stalls", options->stalls, "only these patterns: none, source, sink, both").type_name("MODE");
+  command.add_option("--seed", options->seed, "of jobs and stalls").capture_default_str().type_name("SEED");
+  command.add_option("--threads", options->threads, "0: one a core").capture_default_str().type_name("T");
   options->output.add_option(command);
 }
 

@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "testbench/report/merge.h"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "golden/tree/atomic_file.h"
@@ -34,10 +33,10 @@ int run(const Options& options) {
 
 void add_merge_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = commands.add("merge", "Adds up the JSON reports of the shards of one regression",
-                                   [options] { return run(*options); });
-  command.add_option("reports", options->reports, "JSON reports of all shards")->required()->type_name("FILE...");
-  command.add_option("--junit", options->junit, "also write JUnit XML")->type_name("FILE");
+  const Command command = commands.add("merge", "Adds up the JSON reports of the shards of one regression",
+                                       [options] { return run(*options); });
+  command.add_option("reports", options->reports, "JSON reports of all shards").required().type_name("FILE...");
+  command.add_option("--junit", options->junit, "also write JUnit XML").type_name("FILE");
   options->output.add_option(command);
 }
 

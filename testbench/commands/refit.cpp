@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "golden/build/lbvh.h"
@@ -98,17 +97,17 @@ int run(const Options& options) {
 
 void add_refit_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command =
+  const Command command =
       commands.add("refit", "Refits a tree in the simulated memory around moved triangles, cycle by cycle and in place",
                    [options] { return run(*options); });
-  command.add_option("tree", options->tree, "a .cbvh file, or the scene to build it from")->type_name("TREE");
+  command.add_option("tree", options->tree, "a .cbvh file, or the scene to build it from").type_name("TREE");
   command.add_option("scene", options->scene, "the moved triangles; {time} in it goes from 0 to 1 over the frames")
-      ->type_name("SCENE");
+      .type_name("SCENE");
   command.add_option("--frames", options->frames, "refit so many times in turn, each the tree of the one before")
-      ->capture_default_str();
+      .capture_default_str();
   command.add_option("--twist", options->twist, "turn the scene around its y axis, up to so many turns at its top")
-      ->capture_default_str();
-  command.add_option("-o,--output", options->file, "write the last tree")->type_name("FILE");
+      .capture_default_str();
+  command.add_option("-o,--output", options->file, "write the last tree").type_name("FILE");
   options->sim.add_to(command);
   options->output.add_option(command);
 }

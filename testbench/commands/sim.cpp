@@ -1,5 +1,4 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "golden/scene/load.h"
@@ -38,12 +37,12 @@ int run(const Options& options) {
 
 void add_sim_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = commands.add(
+  const Command command = commands.add(
       "sim", "Runs the whole builder cycle by cycle: triangles in DRAM to a tree in DRAM, compared with the golden's",
       [options] { return run(*options); });
   command.add_option("scene", options->scene, "a .glb, .gltf, .obj or .ply file, or proc:NAME[,key=value...]")
-      ->type_name("SCENE");
-  command.add_option("-o,--output", options->file, "write the tree that is in memory at the end")->type_name("FILE");
+      .type_name("SCENE");
+  command.add_option("-o,--output", options->file, "write the tree that is in memory at the end").type_name("FILE");
   options->sim.add_to(command);
   command.footer(golden::procedural_scene_help());
   options->output.add_option(command);

@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "testbench/backend/backend.h"
@@ -74,10 +73,10 @@ int run(const Options& options) {
 
 void add_units_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command =
+  const Command command =
       commands.add("units", "The registry of units: faces present, fields of stimulus and response, latency",
                    [options] { return run(*options); });
-  command.add_option("unit", options->unit, "show one unit, with its fields and classes")->type_name("UNIT");
+  command.add_option("unit", options->unit, "show one unit, with its fields and classes").type_name("UNIT");
   options->output.add_option(command);
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "golden/build/lbvh.h"
@@ -55,11 +54,11 @@ int run(const Options& options) {
 
 void add_validate_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = commands.add(
+  const Command command = commands.add(
       "validate", "Checks a tree file: its structure, and with --scene that every box encloses its triangles",
       [options] { return run(*options); });
-  command.add_option("tree", options->tree, "a .cbvh file")->required()->type_name("FILE");
-  command.add_option("--scene", options->scene, "the scene it was built from")->type_name("SCENE");
+  command.add_option("tree", options->tree, "a .cbvh file").required().type_name("FILE");
+  command.add_option("--scene", options->scene, "the scene it was built from").type_name("SCENE");
   options->output.add_option(command);
 }
 

@@ -3,29 +3,26 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 namespace cbvh::testbench {
 
-void SimOptions::add_to(CLI::App& command) {
+void SimOptions::add_to(const Command& command) {
   command
       .add_option("--config", config_,
                   fmt::format("{}, or a .json file of names and values", fmt::join(sim_config_names(), ", ")))
-      ->capture_default_str();
+      .capture_default_str();
   command.add_option("--set", assignments_, "NAME=VALUE: one configuration value; may be repeated")
-      ->type_name("NAME=VALUE");
+      .type_name("NAME=VALUE");
   command.add_flag("--list-config", list_, "list all configuration values and end");
   command.add_flag("--no-utilisation", no_utilisation_, "do not watch the modules: faster");
   command.add_option("--vcd", waveform_, "write waveforms of the channels (IEEE 1364; GTKWave opens them)")
-      ->type_name("FILE");
-  command.add_option("--scope", scope_, "only the channels of this module")->type_name("MODULE");
-  command.add_option("--cycles", cycles_, "only these cycles")->type_name("FIRST:LAST");
+      .type_name("FILE");
+  command.add_option("--scope", scope_, "only the channels of this module").type_name("MODULE");
+  command.add_option("--cycles", cycles_, "only these cycles").type_name("FIRST:LAST");
   command.add_option("--dram-trace", trace_, "write the DRAM's accesses, `0xADDRESS R|W`, as Ramulator reads them")
-      ->type_name("FILE");
-  command.add_option("--shuffle", shuffle_, "evaluate the modules in a new random order every cycle")
-      ->type_name("SEED");
+      .type_name("FILE");
+  command.add_option("--shuffle", shuffle_, "evaluate the modules in a new random order every cycle").type_name("SEED");
   command.add_option("--stalls", stalls_, "hold requests and answers at the memory's ports back at random")
-      ->type_name("SEED");
+      .type_name("SEED");
 }
 
 SimRequest SimOptions::request() const {

@@ -6,19 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "testbench/command.h"
 #include "testbench/output.h"
 #include "testbench/sim/simulate.h"
-
-namespace CLI {
-class App;
-}
 
 namespace cbvh::testbench {
 
 /// The options that the commands which simulate a machine have in common.
 class SimOptions {
  public:
-  void add_to(CLI::App& command);
+  void add_to(const Command& command);
   /// Throws InputError.
   SimRequest request() const;
   /// With --list-config: prints the values, and says so.
