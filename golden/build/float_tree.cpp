@@ -4,20 +4,11 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "golden/build/triangle_box.h"
 #include "golden/input_error.h"
 #include "golden/scene/mesh_check.h"
 
 namespace cbvh::golden {
-namespace {
-
-Box triangle_box(const Mesh& mesh, const glm::uvec3& triangle) {
-  const glm::vec3& a = mesh.positions[triangle.x];
-  const glm::vec3& b = mesh.positions[triangle.y];
-  const glm::vec3& c = mesh.positions[triangle.z];
-  return {glm::min(glm::min(a, b), c) + 0.0F, glm::max(glm::max(a, b), c) + 0.0F};  // -0 + 0 is 0
-}
-
-}  // namespace
 
 Box unite(const Box& a, const Box& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
 
@@ -30,7 +21,9 @@ std::vector<Box> triangle_boxes(const Mesh& mesh) {
   check_mesh(mesh, mesh.name);
   std::vector<Box> boxes;
   boxes.reserve(mesh.triangles.size());
-  for (const glm::uvec3& triangle : mesh.triangles) boxes.push_back(triangle_box(mesh, triangle));
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    boxes.push_back(triangle_box(mesh.positions[triangle.x], mesh.positions[triangle.y], mesh.positions[triangle.z]));
+  }
   return boxes;
 }
 

@@ -1,0 +1,84 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <string>
+
+#include "golden/quantize/grid.h"
+
+namespace cbvh::golden {
+
+/// A ray: points origin + t * direction for t in [t_min, t_max]. The direction need not have length 1; components may
+/// be zero of either sign, not all of them. t_max may be infinite.
+struct Ray {
+  glm::vec3 origin;
+  glm::vec3 direction;
+  float t_min = 0;
+  float t_max = std::numeric_limits<float>::infinity();
+};
+
+/// Throws InputError at `place` for a direction of zeros, a NaN, an infinite origin or direction, or t_min > t_max.
+void check_ray(const Ray& ray, const std::string& place);
+
+/// Where a ray is inside of something: t from entry to exit; nowhere if entry > exit.
+struct Interval {
+  double entry;
+  double exit;
+  bool empty() const { return !(entry <= exit); }
+};
+
+/// A ray with what every box test needs of it. Box tests are in binary64 and widen: the interval encloses the exact one
+/// (docs/arithmetic.md). They are monotone: the interval of a box that encloses another encloses the other's interval,
+/// bit for bit, because every operation that rounds is monotone. So a hit whose t is clamped to its triangle's box
+/// is found through every tree whose boxes enclose the triangle, and the nearest hit does not depend on the tree.
+class PreparedRay {
+ public:
+  explicit PreparedRay(const Ray& ray);
+
+  const Ray& ray() const { return ray_; }
+
+  /// Where the ray is inside the closed box.
+  Interval inside(const Box& box) const {
+    return inside(box, {static_cast<double>(ray_.t_min), static_cast<double>(ray_.t_max)});
+  }
+
+  /// Where its line is, whatever t_min and t_max.
+  Interval line_inside(const Box& box) const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return inside(box, {-kInfinity, kInfinity});
+  }
+
+ private:
+  /// 1 / direction, the difference and the product round by 2^-53 each; so does the widening itself.
+  static constexpr double kWiden = 0x1p-50;
+
+  Interval inside(const Box& box, Interval result) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      const double lower = static_cast<double>(box.lower[axis]) - origin_[a];
+      const double upper = static_cast<double>(box.upper[axis]) - origin_[a];
+      if (parallel_[a]) {
+        if (lower > 0 || upper < 0) return {1, 0};
+        continue;
+      }
+      const double near = (backwards_[a] ? upper : lower) * inverse_[a];
+      const double far = (backwards_[a] ? lower : upper) * inverse_[a];
+      result.entry = std::max(result.entry, near - std::abs(near) * kWiden);
+      result.exit = std::min(result.exit, far + std::abs(far) * kWiden);
+    }
+    return result;
+  }
+
+  Ray ray_;
+  std::array<double, 3> origin_;
+  std::array<double, 3> inverse_;
+  std::array<bool, 3> parallel_;
+  std::array<bool, 3> backwards_;
+};
+
+}  // namespace cbvh::golden
