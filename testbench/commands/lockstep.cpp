@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "golden/input_error.h"
+#include "golden/threads/parallel_for.h"
 #include "testbench/command_line.h"
 #include "testbench/gateware/simulator.h"
 #include "testbench/lockstep/compare.h"
 #include "testbench/output.h"
-#include "testbench/parallel.h"
 #include "testbench/unavailable.h"
 
 namespace cbvh::testbench {
@@ -53,8 +53,9 @@ int run(const Options& options) {
   for (const std::string& name : options.stalls) patterns.push_back(parse_stalls(name));
   if (const std::string reason = why_no_simulator(); !reason.empty()) throw Unavailable("lockstep: " + reason);
   std::vector<std::vector<LockstepResult>> results(twins.size());
-  parallel_for(twins.size(), options.threads,
-               [&](std::size_t i) { results[i] = compare_lockstep(twins[i], patterns, options.cycles, options.seed); });
+  golden::parallel_for(twins.size(), options.threads, [&](std::size_t i) {
+    results[i] = compare_lockstep(twins[i], patterns, options.cycles, options.seed);
+  });
   std::string text;
   std::uint64_t passed = 0;
   std::uint64_t failed = 0;

@@ -6,11 +6,11 @@
 #include "golden/build/lbvh.h"
 #include "golden/quantize/scale.h"
 #include "golden/scene/load.h"
-#include "golden/scene/twist.h"
 #include "golden/tree/tree_file.h"
 #include "golden/update/top_down.h"
 #include "testbench/command_line.h"
 #include "testbench/output.h"
+#include "testbench/scene_of_frame.h"
 #include "testbench/sim/sim_options.h"
 
 namespace cbvh::testbench {
@@ -19,25 +19,11 @@ namespace {
 
 struct Options {
   std::string tree;
-  std::string scene;
+  MovingScene scene;
   std::string file;
-  unsigned frames = 1;
-  double twist = 0;
   SimOptions sim;
   Output output;
 };
-
-constexpr std::string_view kTime = "{time}";
-
-/// The scene of one frame: {time} stands for frame / (frames - 1), and a twist grows with it.
-golden::Mesh scene_of_frame(const Options& options, unsigned frame) {
-  const double time = options.frames == 1 ? 1 : static_cast<double>(frame) / (options.frames - 1);
-  std::string name = options.scene;
-  const std::size_t place = name.find(kTime);
-  if (place != std::string::npos) name.replace(place, kTime.size(), fmt::format("{}", time));
-  golden::Mesh mesh = golden::load_scene(name);
-  return options.twist == 0 ? mesh : golden::twisted(std::move(mesh), static_cast<float>(options.twist * time));
-}
 
 /// The tree of a file, or of a scene as the golden builds it.
 golden::CompressedTree tree_to_refit(const Options& options, const SimConfig& config) {
@@ -63,33 +49,26 @@ std::string frames_text(const Json& frames) {
   return text + fmt::format("ratio: bytes over those of refitting floats and compressing them top-down afterwards\n");
 }
 
-void check(const Options& options) {
-  if (options.frames == 0) throw golden::InputError("--frames", "found 0, want 1 or more");
-  const bool moves = options.twist != 0 || options.scene.find(kTime) != std::string::npos;
-  if (options.frames > 1 && !moves)
-    throw golden::InputError("--frames", "nothing moves: want {time} in the scene, or --twist");
-}
-
 int run(const Options& options) {
   const SimRequest request = options.sim.request();
   if (options.sim.lists_config(request.config, options.output)) return kPass;
-  if (options.tree.empty() || options.scene.empty()) throw golden::InputError("refit", "want a TREE and a SCENE");
-  check(options);
+  if (options.tree.empty() || options.scene.scene.empty()) throw golden::InputError("refit", "want a TREE and a SCENE");
+  check_moving_scene(options.scene);
   golden::CompressedTree tree = tree_to_refit(options, request.config);
   Json frames = Json::array();
   bool pass = true;
   std::string text;
-  for (unsigned frame = 0; frame < options.frames; ++frame) {
-    SimResult result = simulate_refit(tree, scene_of_frame(options, frame), request);
+  for (unsigned frame = 0; frame < options.scene.frames; ++frame) {
+    SimResult result = simulate_refit(tree, scene_of_frame(options.scene, frame), request);
     pass = pass && result.pass();
     frames.push_back(to_json(result));
-    if (options.frames == 1 || !result.pass()) text += to_text(result);
+    if (options.scene.frames == 1 || !result.pass()) text += to_text(result);
     tree = std::move(*result.tree);
   }
   if (!options.file.empty() && pass) golden::write_tree(options.file, tree);
-  if (options.frames > 1) text += frames_text(frames);
+  if (options.scene.frames > 1) text += frames_text(frames);
   options.output.text(text);
-  options.output.json({{"tree", options.tree}, {"scene", options.scene}, {"frames", frames}, {"pass", pass}});
+  options.output.json({{"tree", options.tree}, {"scene", options.scene.scene}, {"frames", frames}, {"pass", pass}});
   return pass ? kPass : kMismatch;
 }
 
@@ -101,11 +80,13 @@ void add_refit_command(CommandLine& commands) {
       commands.add("refit", "Refits a tree in the simulated memory around moved triangles, cycle by cycle and in place",
                    [options] { return run(*options); });
   command.add_option("tree", options->tree, "a .cbvh file, or the scene to build it from").type_name("TREE");
-  command.add_option("scene", options->scene, "the moved triangles; {time} in it goes from 0 to 1 over the frames")
+  command
+      .add_option("scene", options->scene.scene, "the moved triangles; {time} in it goes from 0 to 1 over the frames")
       .type_name("SCENE");
-  command.add_option("--frames", options->frames, "refit so many times in turn, each the tree of the one before")
+  command.add_option("--frames", options->scene.frames, "refit so many times in turn, each the tree of the one before")
       .capture_default_str();
-  command.add_option("--twist", options->twist, "turn the scene around its y axis, up to so many turns at its top")
+  command
+      .add_option("--twist", options->scene.twist, "turn the scene around its y axis, up to so many turns at its top")
       .capture_default_str();
   command.add_option("-o,--output", options->file, "write the last tree").type_name("FILE");
   options->sim.add_to(command);

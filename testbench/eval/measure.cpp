@@ -11,11 +11,11 @@
 #include "golden/input_error.h"
 #include "golden/quantize/scale.h"
 #include "golden/scene/load.h"
+#include "golden/threads/parallel_for.h"
 #include "golden/tree/digest.h"
 #include "golden/tree/sah.h"
 #include "golden/update/streaming.h"
 #include "golden/update/top_down.h"
-#include "testbench/parallel.h"
 #include "testbench/progress.h"
 
 namespace cbvh::testbench {
@@ -140,7 +140,7 @@ std::vector<SceneMeasure> measure_scenes(const EvalJob& job) {
   std::vector<Work> works(job.scenes.size());
   std::vector<SceneMeasure> scenes(job.scenes.size());
   Progress progress("eval", scenes.size() * (1 + pieces_per_scene(job)));
-  parallel_for(scenes.size(), job.threads, [&](std::size_t i) {
+  golden::parallel_for(scenes.size(), job.threads, [&](std::size_t i) {
     works[i].mesh = golden::load_scene(job.scenes[i]);
     works[i].floats = golden::build_lbvh(works[i].mesh);
     scenes[i].name = works[i].mesh.name;
@@ -153,7 +153,7 @@ std::vector<SceneMeasure> measure_scenes(const EvalJob& job) {
   tell_apart(job.scenes, scenes);
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < scenes.size(); ++i) add_pieces(job, works[i], scenes[i], pieces);
-  parallel_for(pieces.size(), job.threads, [&](std::size_t i) {
+  golden::parallel_for(pieces.size(), job.threads, [&](std::size_t i) {
     pieces[i]();
     progress.step();
   });

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <ctime>
 
+#include "golden/threads/parallel_for.h"
 #include "testbench/backend/backend.h"
 #include "testbench/gateware/process.h"
-#include "testbench/parallel.h"
 #include "testbench/progress.h"
 #include "testbench/rtl/counting_bits.h"
 
@@ -53,7 +53,7 @@ void run_plan(const std::vector<PlannedSet>& plan, const RegressionOptions& opti
   std::vector<Piece> pieces = make_pieces(plan, options);
   {
     Progress progress(report.command, pieces.size());
-    parallel_for(pieces.size(), options.threads, [&](std::size_t i) {
+    golden::parallel_for(pieces.size(), options.threads, [&](std::size_t i) {
       Piece& piece = pieces[i];
       take_corner_counts();  // of whatever the thread did before
       take_program_seconds();

@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<ProceduralScene>& scenes() {
   static const std::vector<ProceduralScene> all = {cloth_scene(),    soup_scene(), spheres_scene(), terrain_scene(),
-                                                   hairball_scene(), city_scene(), explode_scene()};
+                                                   hairball_scene(), city_scene(), explode_scene(), morph_scene()};
   return all;
 }
 

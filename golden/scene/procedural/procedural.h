@@ -29,6 +29,7 @@ ProceduralScene terrain_scene();
 ProceduralScene hairball_scene();
 ProceduralScene city_scene();
 ProceduralScene explode_scene();
+ProceduralScene morph_scene();
 
 // Options that most scenes have.
 inline constexpr std::uint64_t kMostTriangles = std::uint64_t{1} << 22;

@@ -37,7 +37,8 @@ TEST(ProceduralScene, every_scene_is_the_same_for_every_compiler) {
       {"proc:cloth", 0xfd0e4a2cd5ac28a7},    {"proc:soup", 0xa4d2c3d6efc28304},
       {"proc:spheres", 0x56e18fb2aaf9be8d},  {"proc:terrain", 0x0da64a0234068345},
       {"proc:hairball", 0xd894ca18e0f09387}, {"proc:city", 0x625d41cc302d9f4f},
-      {"proc:explode", 0xfe2247f90e935f95},  {"proc:explode,time=0.5", 0xa8ebd80d3a621381}};
+      {"proc:explode", 0xfe2247f90e935f95},  {"proc:explode,time=0.5", 0xa8ebd80d3a621381},
+      {"proc:morph", 0x9c9919d6c31a1af5},    {"proc:morph,time=0.4", 0xbdc9e744c3365c89}};
   std::set<std::string> seen;
   for (const auto& [scene, hash] : wanted) {
     EXPECT_EQ(fnv1a(load_scene(scene)), hash) << scene;
@@ -72,7 +73,8 @@ TEST(ProceduralScene, four_million_triangles_are_possible) {
 TEST(ProceduralScene, the_seed_changes_every_scene_that_has_one) {
   for (const std::string& name : procedural_scene_names()) {
     if (name == "cloth") continue;
-    const std::string scene = "proc:" + name + ",triangles=1000" + (name == "explode" ? ",time=1" : "");
+    const std::string scene =
+        "proc:" + name + ",triangles=1000" + (name == "explode" || name == "morph" ? ",time=1" : "");
     EXPECT_EQ(fnv1a(load_scene(scene)), fnv1a(load_scene(scene + ",seed=1"))) << name;
     EXPECT_NE(fnv1a(load_scene(scene)), fnv1a(load_scene(scene + ",seed=2"))) << name;
   }
@@ -93,6 +95,28 @@ TEST(ProceduralScene, explode_starts_whole_and_keeps_its_triangles_over_time) {
   EXPECT_GT(farthest, 4.0f);
 }
 
+TEST(ProceduralScene, morph_goes_through_its_four_shapes_and_keeps_its_triangles) {
+  const Mesh start = load_scene("proc:morph,triangles=800");
+  const Mesh sheet = load_scene("proc:morph,triangles=800,time=0.33333334");
+  const Mesh end = load_scene("proc:morph,triangles=800,time=1");
+  EXPECT_EQ(start.triangles, sheet.triangles);
+  EXPECT_EQ(start.triangles, end.triangles);
+  for (std::size_t i = 0; i < start.triangles.size(); ++i) {
+    const auto middle = [i](const Mesh& mesh) {
+      return (mesh.positions[3 * i] + mesh.positions[3 * i + 1] + mesh.positions[3 * i + 2]) / 3.0f;
+    };
+    const auto distance = [](const glm::vec3& p) { return std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z); };
+    EXPECT_NEAR(distance(middle(start)), 1, 0.03);
+    EXPECT_NEAR(middle(sheet).y, 0, 1e-5);
+    EXPECT_NEAR(distance(middle(end)), 0.5, 0.02);
+  }
+  // Without mixing every triangle ends where it was, nearer to the centre.
+  const Mesh still = load_scene("proc:morph,triangles=800,time=1,mix=0");
+  const glm::vec3 moved = (still.positions[0] + still.positions[1] + still.positions[2]) * 2.0f;
+  const glm::vec3 before = start.positions[0] + start.positions[1] + start.positions[2];
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(moved[axis], before[axis], 1e-5);
+}
+
 TEST(ProceduralScene, city_is_made_of_axis_parallel_boxes) {
   const Mesh city = load_scene("proc:city,triangles=1000");
   for (const glm::uvec3& t : city.triangles) {
@@ -108,9 +132,10 @@ TEST(ProceduralScene, city_is_made_of_axis_parallel_boxes) {
 TEST(ProceduralScene, bad_descriptions_are_refused_with_what_is_known) {
   EXPECT_EQ(error_of("proc:clothe"),
             "proc:clothe: procedural scene: found 'clothe', wanted one of cloth, soup, spheres, terrain, hairball, "
-            "city, explode");
-  EXPECT_EQ(error_of("proc:"),
-            "proc:: procedural scene: found '', wanted one of cloth, soup, spheres, terrain, hairball, city, explode");
+            "city, explode, morph");
+  EXPECT_EQ(
+      error_of("proc:"),
+      "proc:: procedural scene: found '', wanted one of cloth, soup, spheres, terrain, hairball, city, explode, morph");
   EXPECT_EQ(error_of("proc:cloth,a=1"), "proc:cloth,a=1: option: found 'a', wanted one of sheet, height");
   EXPECT_EQ(error_of("proc:cloth,sheet"), "proc:cloth,sheet: option: found 'sheet', wanted key=value");
   EXPECT_EQ(error_of("proc:cloth,"), "proc:cloth,: option: found '', wanted key=value");

@@ -6,7 +6,7 @@
 #include <atomic>
 
 #include "golden/input_error.h"
-#include "testbench/parallel.h"
+#include "golden/threads/parallel_for.h"
 #include "testbench/report/json.h"
 #include "testbench/report/merge.h"
 
@@ -81,12 +81,12 @@ TEST(Regress, names_what_it_does_not_know) {
 
 TEST(ParallelFor, calls_every_piece_once_and_rethrows) {
   std::vector<std::atomic<int>> calls(1000);
-  parallel_for(calls.size(), 4, [&](std::size_t i) { ++calls[i]; });
+  golden::parallel_for(calls.size(), 4, [&](std::size_t i) { ++calls[i]; });
   for (const auto& count : calls) EXPECT_EQ(count, 1);
-  EXPECT_THROW(parallel_for(10, 3,
-                            [](std::size_t i) {
-                              if (i == 5) throw golden::InputError("five", "bad");
-                            }),
+  EXPECT_THROW(golden::parallel_for(10, 3,
+                                    [](std::size_t i) {
+                                      if (i == 5) throw golden::InputError("five", "bad");
+                                    }),
                golden::InputError);
 }
 

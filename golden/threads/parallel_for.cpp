@@ -1,5 +1,5 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
-#include "testbench/parallel.h"
+#include "golden/threads/parallel_for.h"
 
 #include <algorithm>
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace cbvh::testbench {
+namespace cbvh::golden {
 
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
@@ -33,4 +33,4 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace cbvh::testbench
+}  // namespace cbvh::golden

@@ -1,0 +1,42 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "testbench/animate/picture.h"
+
+#include <bit>
+
+#include "golden/threads/parallel_for.h"
+
+namespace cbvh::testbench {
+
+Picture trace_picture(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Camera& camera,
+                      unsigned width, unsigned height, unsigned threads) {
+  Picture picture;
+  picture.hits.resize(std::size_t{width} * height);
+  std::vector<golden::TraceCounts> counts(height);
+  golden::parallel_for(height, threads, [&](std::size_t row) {
+    golden::Tracer tracer{golden::FloatTreeView(tree), mesh};
+    for (unsigned x = 0; x < width; ++x) {
+      const golden::Ray ray = camera.ray(x, static_cast<unsigned>(row), width, height);
+      picture.hits[row * width + x] = tracer.trace(ray, golden::Stop::closest);
+    }
+    counts[row] = tracer.counts();
+  });
+  for (const golden::TraceCounts& row : counts) picture.counts.add(row);
+  return picture;
+}
+
+std::uint64_t digest(const Picture& picture) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  const auto add = [&hash](std::uint64_t value) {
+    for (int byte = 0; byte < 8; ++byte) {
+      hash = (hash ^ (value & 0xFFU)) * 0x100000001b3U;
+      value >>= 8;
+    }
+  };
+  for (const golden::Hit& hit : picture.hits) {
+    add(hit.primitive);
+    add(std::bit_cast<std::uint64_t>(hit.t));
+  }
+  return hash;
+}
+
+}  // namespace cbvh::testbench
