@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "golden/build/builder.h"
 
+#include "golden/build/binned.h"
 #include "golden/build/lbvh.h"
 #include "golden/input_error.h"
 #include "golden/scene/read_file.h"
@@ -19,7 +20,7 @@ const BuilderKind& kind_of(const std::string& place, std::string_view descriptio
 }  // namespace
 
 const std::vector<BuilderKind>& builder_kinds() {
-  static const std::vector<BuilderKind> all = {lbvh_builder()};
+  static const std::vector<BuilderKind> all = {lbvh_builder(), binned_builder()};
   return all;
 }
 

@@ -1,0 +1,39 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "golden/options/options.h"
+
+namespace cbvh::golden {
+
+/// The options that builders share, under the same names everywhere.
+struct BuildLimits {
+  std::uint64_t leaf = 4;   ///< most primitives a leaf
+  int depth = 32;           ///< most levels of inner nodes: the hardware's context stack has 32 entries
+  double traversal = 1;     ///< C_T of the SAH, the cost of an inner node
+  double intersection = 1;  ///< C_I of the SAH, the cost of a primitive
+  int threads = 1;          ///< a result never depends on it
+
+  /// Whether a subtree of that many primitives can be built with `levels` levels of inner nodes.
+  bool fit(std::uint64_t primitives, int levels) const {
+    return levels >= 27 || primitives <= leaf << static_cast<unsigned>(levels);
+  }
+  /// Whether a node that has `levels` left, at least 1, may be split into so many primitives each. Splitting at the
+  /// object median always fits if the node itself fits.
+  bool fit(std::uint64_t left, std::uint64_t right, int levels) const {
+    return fit(left > right ? left : right, levels - 1);
+  }
+};
+
+/// leaf, depth, traversal, intersection.
+std::vector<Option> limit_options();
+Option threads_option();
+
+/// What limit_options and threads_option (if `values` has it) say. Throws InputError at `place` when `primitives` do
+/// not fit `depth` levels.
+BuildLimits build_limits(const OptionValues& values, std::uint64_t primitives, const std::string& place);
+
+}  // namespace cbvh::golden

@@ -1,0 +1,54 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "golden/build/sah_bins.h"
+
+#include <algorithm>
+
+namespace cbvh::golden {
+
+BinMapping::BinMapping(const WideBox& centroids, int bins)
+    : lower_(centroids.lower), scale_{}, last_(Float4{} + static_cast<float>(bins - 1)) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double extent = static_cast<double>(centroids.upper[axis]) - static_cast<double>(centroids.lower[axis]);
+    if (extent > 0)
+      scale_[axis] =
+          static_cast<float>(std::min(bins / extent, static_cast<double>(std::numeric_limits<float>::max())));
+  }
+}
+
+void SahBins::merge(const SahBins& other) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(bins_); ++i) {
+      axes_[axis][i].box.enclose(other.axes_[axis][i].box);
+      axes_[axis][i].weight += other.axes_[axis][i].weight;
+    }
+  }
+}
+
+Split SahBins::best() const {
+  Split best;
+  const auto bins = static_cast<std::size_t>(bins_);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto& entries = axes_[axis];
+    std::array<double, kMaxBins> right_cost;  // of the bins from i on
+    WideBox box;
+    std::uint32_t weight = 0;
+    for (std::size_t i = bins; --i > 0;) {
+      box.enclose(entries[i].box);
+      weight += entries[i].weight;
+      right_cost[i] = weight == 0 ? 0 : half_area(box) * weight;
+    }
+    const std::uint32_t total = weight + entries[0].weight;
+    box = {};
+    weight = 0;
+    for (std::size_t i = 1; i < bins; ++i) {
+      box.enclose(entries[i - 1].box);
+      weight += entries[i - 1].weight;
+      if (weight == 0 || weight == total) continue;
+      const double cost = half_area(box) * weight + right_cost[i];
+      if (cost < best.cost) best = {cost, static_cast<int>(axis), static_cast<std::uint32_t>(i), weight};
+    }
+  }
+  return best;
+}
+
+}  // namespace cbvh::golden
