@@ -46,10 +46,7 @@ class BinnedBuild {
   void build(const Range& node) {
     const std::span<const Reference> references(buffers_[node.side].data() + node.first, node.count);
     const double area = half_area(node.box);
-    const bool may_be_leaf = node.count <= limits_.leaf;
-    const double leaf_cost = limits_.intersection * node.count * area;
-    if (may_be_leaf && (node.count == 1 || node.levels == 0 || leaf_cost <= limits_.traversal * area))
-      return make_leaf(node);
+    if (limits_.prefer_leaf(node.count, node.levels, area, 0)) return make_leaf(node);
 
     WideBox centroids;
     for (const Reference& reference : references) centroids.enclose(reference.box().centroid());
@@ -58,8 +55,7 @@ class BinnedBuild {
     for (const Reference& reference : references)
       bins.add(mapping.bin_of(reference.box().centroid()), reference.box(), 1);
     const Split split = bins.best();
-    if (may_be_leaf && leaf_cost <= limits_.traversal * area + limits_.intersection * split.cost)
-      return make_leaf(node);
+    if (limits_.prefer_leaf(node.count, node.levels, area, split.cost)) return make_leaf(node);
 
     if (area > 0 && split.exists() && limits_.fit(split.left, node.count - split.left, node.levels)) {
       const int axis = split.axis;

@@ -21,6 +21,14 @@ struct BuildLimits {
   bool fit(std::uint64_t primitives, int levels) const {
     return levels >= 27 || primitives <= leaf << static_cast<unsigned>(levels);
   }
+  /// Whether a node with `levels` left becomes a leaf rather than be split at `split_cost`: half area times count, of
+  /// both halves. 0 asks whether no split can be better.
+  bool prefer_leaf(std::uint64_t primitives, int levels, double half_area, double split_cost) const {
+    if (primitives > leaf) return false;
+    return primitives == 1 || levels == 0 ||
+           intersection * static_cast<double>(primitives) * half_area <=
+               traversal * half_area + intersection * split_cost;
+  }
   /// Whether a node that has `levels` left, at least 1, may be split into so many primitives each. Splitting at the
   /// object median always fits if the node itself fits.
   bool fit(std::uint64_t left, std::uint64_t right, int levels) const {
