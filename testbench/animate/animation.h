@@ -13,7 +13,7 @@
 namespace cbvh::testbench {
 
 struct AnimationJob {
-  std::string builder = "lbvh";
+  std::string builder = "binned";
   unsigned threads = 2;        ///< N: of building, refitting and tracing where they do not run beside each other
   unsigned build_threads = 1;  ///< K of `async`: of building; N - K update and trace meanwhile
   double rebuild_above = 1.4;  ///< UpdateOptions

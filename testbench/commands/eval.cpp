@@ -7,6 +7,7 @@
 #include "golden/input_error.h"
 #include "golden/scene/load.h"
 #include "testbench/command_line.h"
+#include "testbench/eval/builders/command.h"
 #include "testbench/eval/sections.h"
 #include "testbench/option_values.h"
 #include "testbench/output.h"
@@ -105,8 +106,10 @@ int run(const Options& options) {
 
 void add_eval_command(CommandLine& commands) {
   auto options = std::make_shared<Options>();
+  auto chosen = std::make_shared<std::function<int()>>([options] { return run(*options); });
   const Command command = commands.add("eval", "The paper's evaluation for any scenes, beside the paper's own figures",
-                                       [options] { return run(*options); });
+                                       [chosen] { return (*chosen)(); });
+  add_builders_evaluation(command, chosen);
   command.add_option("scenes", options->scenes, "each a .glb, .gltf, .obj or .ply file, or proc:NAME[,key=value...]")
       .type_name("SCENE...")
       .capture_default_str();
