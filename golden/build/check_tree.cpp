@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <glm/vector_relational.hpp>
+#include <iterator>
 
 namespace cbvh::golden {
 namespace {
@@ -54,9 +55,9 @@ class Check {
     std::vector<std::uint32_t> open;
     for (std::uint32_t i = 0; i < tree.pairs.size(); ++i) {
       const FloatPair& pair = tree.pairs[i];
-      const auto inner = static_cast<std::size_t>((pair.leaf[0] ? 0 : 1) + (pair.leaf[1] ? 0 : 1));
-      if (open.size() < inner) return add(fmt::format("pair {}: its children are not behind it", i));
-      auto taken = open.end() - static_cast<std::ptrdiff_t>(inner);
+      const std::ptrdiff_t inner = (pair.leaf[0] ? 0 : 1) + (pair.leaf[1] ? 0 : 1);
+      if (std::ssize(open) < inner) return add(fmt::format("pair {}: its children are not behind it", i));
+      auto taken = open.end() - inner;
       for (int c = 0; c < 2; ++c) {
         const std::string place = fmt::format("pair {}, child {}", i, c);
         if (pair.leaf[c]) {
@@ -69,7 +70,7 @@ class Check {
           add(place + ": its box is not exactly around its children");
         ++taken;
       }
-      open.resize(open.size() - inner);
+      open.erase(open.end() - inner, open.end());
       open.push_back(i);
     }
     if (open.size() != 1) add(fmt::format("{} pairs without a parent, wanted the root alone", open.size()));
