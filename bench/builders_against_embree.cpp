@@ -21,6 +21,7 @@ struct Comparison {
 };
 constexpr Comparison kComparisons[] = {{"lbvh", RTC_BUILD_QUALITY_LOW, "LOW"},
                                        {"binned", RTC_BUILD_QUALITY_MEDIUM, "MEDIUM"},
+                                       {"binned,bins=32", RTC_BUILD_QUALITY_MEDIUM, "MEDIUM"},
                                        {"sweep", RTC_BUILD_QUALITY_MEDIUM, "MEDIUM"}};
 
 struct Settings {
@@ -30,8 +31,8 @@ struct Settings {
   int leaf = 4;
 };
 
-std::string with_options(const golden::BuilderKind& kind, const Settings& settings) {
-  std::string text = kind.name;
+std::string with_options(const char* ours, const golden::BuilderKind& kind, const Settings& settings) {
+  std::string text = ours;
   const auto add = [&](const char* name, int value) {
     if (golden::find_named(kind.options, name) != nullptr) text += fmt::format(",{}={}", name, value);
   };
@@ -41,8 +42,8 @@ std::string with_options(const golden::BuilderKind& kind, const Settings& settin
 }
 
 void compare(const golden::Mesh& mesh, const Comparison& pair, const Embree& embree, const Settings& settings) {
-  const golden::BuilderKind* kind = golden::find_named(golden::builder_kinds(), pair.ours);
-  const golden::Builder builder("builder", with_options(*kind, settings));
+  const golden::BuilderKind* kind = golden::find_named(golden::builder_kinds(), golden::name_of(pair.ours));
+  const golden::Builder builder("builder", with_options(pair.ours, *kind, settings));
   const golden::SahCosts costs;
   double ours = 1e9;
   double theirs = 1e9;
@@ -59,7 +60,7 @@ void compare(const golden::Mesh& mesh, const Comparison& pair, const Embree& emb
     their_sah = other.sah;
     scene = std::min(scene, embree.commit(mesh, pair.quality));
   }
-  fmt::print("{:24} {:8} {:8.2f} {:8} {:8.2f} {:6.2f} {:9.2f} {:6.2f} {:8.3f} {:8.3f} {:6.3f}\n",
+  fmt::print("{:24} {:16} {:8.2f} {:8} {:8.2f} {:6.2f} {:9.2f} {:6.2f} {:8.3f} {:8.3f} {:7.4f}\n",
              mesh.name.substr(0, 24), pair.ours, ours * 1e3, pair.theirs, theirs * 1e3, ours / theirs, scene * 1e3,
              ours / scene, our_sah, their_sah, our_sah / their_sah);
 }
@@ -75,7 +76,7 @@ int run(int argc, char** argv) {
   app.add_option("--leaf", settings.leaf, "most triangles a leaf")->check(CLI::Range(1, 32))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   const Embree embree(settings.threads);
-  fmt::print("{:24} {:8} {:>8} {:8} {:>8} {:>6} {:>9} {:>6} {:>8} {:>8} {:>6}\n", "scene", "ours", "ms", "Embree",
+  fmt::print("{:24} {:16} {:>8} {:8} {:>8} {:>6} {:>9} {:>6} {:>8} {:>8} {:>7}\n", "scene", "ours", "ms", "Embree",
              "tree ms", "ratio", "commit ms", "ratio", "SAH", "Embree", "ratio");
   for (const std::string& scene : settings.scenes) {
     const golden::Mesh mesh = golden::load_scene(scene);

@@ -8,6 +8,7 @@
 #include "golden/build/node_tree.h"
 #include "golden/build/object_median.h"
 #include "golden/build/sah_bins.h"
+#include "golden/build/small_sweep.h"
 
 namespace cbvh::golden {
 namespace {
@@ -48,31 +49,51 @@ class BinnedBuild {
     const double area = half_area(node.box);
     if (limits_.prefer_leaf(node.count, node.levels, area, 0)) return make_leaf(node);
 
-    WideBox centroids;
-    for (const Reference& reference : references) centroids.enclose(reference.box().centroid());
-    const BinMapping mapping(centroids, bins_);
+    if (node.count <= static_cast<std::uint32_t>(bins_)) {
+      const SmallSweep sweep(references);
+      if (limits_.prefer_leaf(node.count, node.levels, area, sweep.best().cost)) return make_leaf(node);
+      if (is_usable(sweep.best(), node, area)) {
+        divide(node, sweep.best().left, [&](std::uint32_t i, const Reference&) { return sweep.is_left(i); });
+      } else {
+        divide_at_median(node, references);
+      }
+      return;
+    }
+    const BinMapping mapping(centroids_of(references), bins_);
     SahBins bins(bins_);
     for (const Reference& reference : references)
       bins.add(mapping.bin_of(reference.box().centroid()), reference.box(), 1);
     const Split split = bins.best();
     if (limits_.prefer_leaf(node.count, node.levels, area, split.cost)) return make_leaf(node);
-
-    if (area > 0 && split.exists() && limits_.fit(split.left, node.count - split.left, node.levels)) {
-      const int axis = split.axis;
+    if (is_usable(split, node, area)) {
       const auto position = static_cast<std::int32_t>(split.position);
       divide(node, split.left, [&](std::uint32_t, const Reference& reference) {
-        return mapping.bin_of(reference.box().centroid())[axis] < position;
+        return mapping.bin_of(reference.box().centroid())[split.axis] < position;
       });
     } else {
-      const int axis = longest_axis(centroids);
-      const auto key = [axis](const Reference& reference) {
-        return static_cast<float>(reference.box().centroid()[axis]);
-      };
-      const Rank median = object_median(node.count, [&](std::uint32_t i) { return key(references[i]); });
-      divide(node, node.count / 2, [&](std::uint32_t i, const Reference& reference) {
-        return Rank{key(reference), i} < median;
-      });
+      divide_at_median(node, references);
     }
+  }
+
+  static WideBox centroids_of(std::span<const Reference> references) {
+    WideBox centroids;
+    for (const Reference& reference : references) centroids.enclose(reference.box().centroid());
+    return centroids;
+  }
+
+  bool is_usable(const Split& split, const Range& node, double area) const {
+    return area > 0 && split.exists() && limits_.fit(split.left, node.count - split.left, node.levels);
+  }
+
+  void divide_at_median(const Range& node, std::span<const Reference> references) {
+    const int axis = longest_axis(centroids_of(references));
+    const auto key = [axis](const Reference& reference) {
+      return static_cast<float>(reference.box().centroid()[axis]);
+    };
+    const Rank median = object_median(node.count, [&](std::uint32_t i) { return key(references[i]); });
+    divide(node, node.count / 2, [&](std::uint32_t i, const Reference& reference) {
+      return Rank{key(reference), i} < median;
+    });
   }
 
   /// Moves `left` references of which is_left(index, reference) holds to the front of the other buffer, the others

@@ -14,8 +14,10 @@
 namespace cbvh::golden {
 namespace {
 
-/// Every border between two of `bins` bins of equal width between the centroids, axis after axis.
+/// Every border between two of `bins` bins of equal width between the centroids, axis after axis; every position if
+/// there are no more triangles than bins.
 std::vector<NaiveSah::Halves> borders(const NaiveSah& scene, const NaiveSah::Ids& ids, int bins) {
+  if (ids.size() <= static_cast<std::size_t>(bins)) return NaiveSah::positions(scene, ids);
   std::vector<NaiveSah::Halves> candidates;
   for (int axis = 0; axis < 3; ++axis) {
     float lower = scene.centroid(ids[0], axis);

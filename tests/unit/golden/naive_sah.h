@@ -69,6 +69,16 @@ class NaiveSah {
     return halves;
   }
 
+  /// Before every centroid but the first, axis after axis.
+  static std::vector<Halves> positions(const NaiveSah& scene, const Ids& ids) {
+    std::vector<Halves> all;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Ids order = scene.sorted(ids, axis);
+      for (std::size_t i = 1; i < order.size(); ++i) all.push_back(cut(order, i));
+    }
+    return all;
+  }
+
  private:
   struct Emitted {
     Box box;

@@ -15,16 +15,6 @@
 namespace cbvh::golden {
 namespace {
 
-/// Before every centroid but the first, axis after axis.
-std::vector<NaiveSah::Halves> positions(const NaiveSah& scene, const NaiveSah::Ids& ids) {
-  std::vector<NaiveSah::Halves> candidates;
-  for (int axis = 0; axis < 3; ++axis) {
-    const NaiveSah::Ids order = scene.sorted(ids, axis);
-    for (std::size_t i = 1; i < order.size(); ++i) candidates.push_back(NaiveSah::cut(order, i));
-  }
-  return candidates;
-}
-
 TEST(Sweep, equals_the_naive_builder_on_every_kind_of_trouble) {
   std::size_t pairs = 0;
   for (std::uint64_t id = 0; id < 240; ++id) {
@@ -34,7 +24,7 @@ TEST(Sweep, equals_the_naive_builder_on_every_kind_of_trouble) {
     naive.depth = 6 + static_cast<int>(id % 3);
     naive.traversal = static_cast<double>(id % 4) * 0.5;
     naive.intersection = 1 + static_cast<double>(id % 3);
-    naive.candidates = positions;
+    naive.candidates = NaiveSah::positions;
     const std::string builder = fmt::format("sweep,leaf={},depth={},traversal={},intersection={}", naive.leaf,
                                             naive.depth, naive.traversal, naive.intersection);
     const FloatTree tree = build(builder, mesh);
