@@ -1,7 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "golden/build/lbvh.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -19,25 +18,21 @@ struct CodedPrimitive {
 
 /// Stable sort by 30-bit code: three counting passes of ten bits.
 std::vector<CodedPrimitive> sorted_by_code(std::vector<CodedPrimitive> from) {
+  constexpr std::uint32_t kDigits = 1024;
+  const auto digit = [](const CodedPrimitive& p, std::size_t pass) { return p.code >> (10 * pass) & (kDigits - 1); };
+  std::array<std::array<std::uint32_t, kDigits>, 3> next{};
+  for (const CodedPrimitive& p : from) {
+    for (std::size_t pass = 0; pass < next.size(); ++pass) ++next[pass][digit(p, pass)];
+  }
   std::vector<CodedPrimitive> to(from.size());
-  for (unsigned shift = 0; shift < 30; shift += 10) {
-    std::array<std::uint32_t, 1024> next{};
-    const auto digit = [shift](const CodedPrimitive& p) { return (p.code >> shift) & 1023U; };
-    for (const CodedPrimitive& p : from) ++next[digit(p)];
+  for (std::size_t pass = 0; pass < next.size(); ++pass) {
     std::uint32_t sum = 0;
-    for (std::uint32_t& n : next) sum += std::exchange(n, sum);
-    for (const CodedPrimitive& p : from) to[next[digit(p)]++] = p;
+    for (std::uint32_t& n : next[pass]) sum += std::exchange(n, sum);
+    for (const CodedPrimitive& p : from) to[next[pass][digit(p, pass)]++] = p;
     from.swap(to);
   }
   return from;
 }
-
-/// A run of primitives with equal codes.
-struct Leaf {
-  std::uint32_t code;
-  std::uint32_t first;  ///< in the primitive-ID array
-  Box box;
-};
 
 struct Node {
   Box box;
@@ -45,42 +40,55 @@ struct Node {
   std::uint32_t pointer;
 };
 
-/// Emits the pairs of leaves [first, last): left subtree, right subtree, the pair. At most 30 deep, the length of a
-/// code.
-Node emit(const std::vector<Leaf>& leaves, std::size_t first, std::size_t last, std::vector<FloatPair>& pairs) {
-  if (last - first == 1) return {leaves[first].box, true, leaves[first].first};
-  const std::uint32_t highest = std::bit_floor(leaves[first].code ^ leaves[last - 1].code);
-  const auto begin = leaves.begin();
-  const auto middle =
-      std::partition_point(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last),
-                           [highest](const Leaf& leaf) { return (leaf.code & highest) == 0; });
-  const auto split = static_cast<std::size_t>(middle - begin);
-  const Node left = emit(leaves, first, split, pairs);
-  const Node right = emit(leaves, split, last, pairs);
-  pairs.push_back({{left.box, right.box}, {left.leaf, right.leaf}, {left.pointer, right.pointer}});
-  return {unite(left.box, right.box), false, static_cast<std::uint32_t>(pairs.size() - 1)};
-}
+/// The hierarchy over leaves that come in the order of their codes. Between two neighbours the highest differing bit
+/// says where they part: a subtree is complete when a higher bit than the one that parts its children differs. Open
+/// left subtrees wait on a stack, from the top down parted by ever higher bits: at most 30, the length of a code.
+class Hierarchy {
+ public:
+  explicit Hierarchy(std::vector<FloatPair>& to) : pairs_(to) {}
 
-/// Leaves, primitive IDs and pairs of primitives in order of their codes; box_of(i) is the box of the i-th.
+  /// `parting`: the highest bit in which the next leaf's code differs; greater than any code after the last leaf. Pairs
+  /// come as they must: left subtree, right subtree, the pair.
+  void add(Node node, std::uint32_t parting) {
+    for (; open_ > 0 && waiting_[open_ - 1].parting < parting; --open_) {
+      const Node& left = waiting_[open_ - 1].node;
+      pairs_.push_back({{left.box, node.box}, {left.leaf, node.leaf}, {left.pointer, node.pointer}});
+      node = {unite(left.box, node.box), false, static_cast<std::uint32_t>(pairs_.size() - 1)};
+    }
+    waiting_[open_++] = {node, parting};
+  }
+
+ private:
+  struct Waiting {
+    Node node;
+    std::uint32_t parting;
+  };
+  std::vector<FloatPair>& pairs_;
+  std::array<Waiting, 31> waiting_;
+  std::size_t open_ = 0;
+};
+
+/// Primitive IDs, leaves and pairs of primitives in order of their codes; box_of(i) is the box of the i-th. A run of
+/// equal codes is a leaf.
 template <class BoxOf>
 void emit_hierarchy(std::span<const CodedPrimitive> sorted, const BoxOf& box_of, FloatTree& tree) {
-  std::vector<Leaf> leaves;
-  tree.primitive_ids.reserve(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const CodedPrimitive& p = sorted[i];
-    if (leaves.empty() || leaves.back().code != p.code) {
-      if (!leaves.empty()) tree.primitive_ids.back() |= kLastOfLeaf;
-      leaves.push_back({p.code, static_cast<std::uint32_t>(tree.primitive_ids.size()), box_of(i)});
-    } else {
-      leaves.back().box = unite(leaves.back().box, box_of(i));
+  tree.primitive_ids.resize(sorted.size());
+  tree.pairs.reserve(sorted.size() - 1);
+  Hierarchy hierarchy(tree.pairs);
+  for (std::size_t i = 0; i < sorted.size();) {
+    const std::size_t first = i;
+    const std::uint32_t code = sorted[first].code;
+    Box box = box_of(first);
+    tree.primitive_ids[first] = sorted[first].id;
+    for (++i; i < sorted.size() && sorted[i].code == code; ++i) {
+      box = unite(box, box_of(i));
+      tree.primitive_ids[i] = sorted[i].id;
     }
-    tree.primitive_ids.push_back(p.id);
+    tree.primitive_ids[i - 1] |= kLastOfLeaf;
+    const std::uint32_t parting = i < sorted.size() ? std::bit_floor(sorted[i].code ^ code) : ~0U;
+    hierarchy.add({box, true, static_cast<std::uint32_t>(first)}, parting);
   }
-  tree.primitive_ids.back() |= kLastOfLeaf;
-  tree.leaves = static_cast<std::uint32_t>(leaves.size());
-
-  tree.pairs.reserve(leaves.size() - 1);
-  emit(leaves, 0, leaves.size(), tree.pairs);
+  tree.leaves = static_cast<std::uint32_t>(tree.pairs.size() + 1);
 }
 
 /// What a tree says of its scene as a whole.
