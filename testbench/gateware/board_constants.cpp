@@ -2,6 +2,7 @@
 #include "testbench/gateware/board_constants.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -9,6 +10,7 @@
 
 #include "fpga/host/frame.h"
 #include "fpga/host/messages.h"
+#include "testbench/gateware/simulator.h"
 #include "vectors/registry.h"
 
 namespace cbvh::testbench {
@@ -90,12 +92,15 @@ void define_unit(std::string& text, const vectors::UnitDescription& unit) {
   const bool any_bits = unit.bits.size() > 1;
   const bool any_treelet = unit.treelets.size() > 1;
   text += fmt::format("\n`ifdef CBVH_UNIT_{}\n", upper_case(unit.name));
-  define(text, "UNIT", std::string(unit.name));
-  define(text, "UNIT_PARAMETERS",
-         any_bits && any_treelet ? "#(.N(N), .D(D))"
-         : any_bits              ? "#(.N(N))"
-         : any_treelet           ? "#(.D(D))"
-                                 : "");
+  std::vector<std::string> parameters;
+  if (any_bits) parameters.emplace_back(".N(N)");
+  if (any_treelet) parameters.emplace_back(".D(D)");
+  if (has_harness(unit)) {
+    define(text, "UNIT_MEMORY", "1");
+    parameters.emplace_back(".LINES_LOG2(LINES_LOG2)");
+  }
+  define(text, "UNIT", has_harness(unit) ? harness_name(unit) : std::string(unit.name));
+  define(text, "UNIT_PARAMETERS", parameters.empty() ? "" : fmt::format("#({})", fmt::join(parameters, ", ")));
   define(text, "UNIT_ID", fmt::format("32'h{:08X}", host::unit_id(unit.name)));
   define(text, "UNIT_NAME", name_digits(unit.name));
   define(text, "UNIT_STATE", unit.stateful ? "1" : "0");
@@ -113,7 +118,8 @@ std::string board_constants() {
       "// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0\n"
       "// Made by `cbvh gateware --board` from the C++ model: numbers of the board link, and the unit of this "
       "gateware. A\n"
-      "// macro CBVH_UNIT_x chooses it; N is the parameter of the module that uses the widths.\n"
+      "// macro CBVH_UNIT_x chooses it; N is the parameter of the module that uses the widths. UNIT_MEMORY: it runs in "
+      "a harness.\n"
       "`ifndef CBVH_BOARD\n"
       "`define CBVH_BOARD\n\n";
   define_link(text);

@@ -40,14 +40,9 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (!file) throw golden::InputError(path, "cannot be written");
 }
 
-std::string harness_name(const vectors::UnitDescription& unit) { return fmt::format("{}_harness", unit.name); }
-
 bool holds(const std::vector<GatewareSource>& sources, const std::string& file) {
   return std::any_of(sources.begin(), sources.end(), [&](const auto& source) { return source.name == file; });
 }
-
-/// Whether the unit has a memory port, and so runs inside a module of fpga/gateware/harness/.
-bool has_harness(const vectors::UnitDescription& unit) { return holds(gateware_benches(), harness_name(unit) + ".v"); }
 
 /// The lines of memory that an episode can fill, as a power of two: no index is beyond the number of its stimuli.
 int lines_log2(const vectors::VectorSet& set) {
@@ -188,6 +183,10 @@ std::string why_no_simulator() {
 }
 
 std::string twin_folder() { return models().sources(); }
+
+std::string harness_name(const vectors::UnitDescription& unit) { return fmt::format("{}_harness", unit.name); }
+
+bool has_harness(const vectors::UnitDescription& unit) { return holds(gateware_benches(), harness_name(unit) + ".v"); }
 
 bool has_twin(const vectors::UnitDescription& unit) {
   const std::string file = fmt::format("{}.v", unit.name);

@@ -15,6 +15,12 @@ std::string why_no_simulator();
 /// The folder of the twins: $CBVH_GATEWARE, or one with the files of fpga/gateware/ that lasts as long as the process.
 std::string twin_folder();
 
+/// Whether the unit has a memory port, and so runs with its memory inside a module of fpga/gateware/harness/.
+bool has_harness(const vectors::UnitDescription& unit);
+
+/// That module.
+std::string harness_name(const vectors::UnitDescription& unit);
+
 /// Whether fpga/gateware/ has a twin of the unit. Where $CBVH_GATEWARE names a folder, its files are used instead.
 bool has_twin(const vectors::UnitDescription& unit);
 

@@ -59,7 +59,7 @@ std::string compile(const SimulationOptions& options, const std::string& folder)
                                       "-D" + unit_macro(options.unit),
                                       fmt::format("-DCBVH_ENGINE={}", options.pins ? "uart_pins" : "frame_engine")};
   for (const auto& [name, value] :
-       {std::pair("N", options.bits), std::pair("BUFFERS", options.buffers),
+       {std::pair("N", options.bits), std::pair("D", options.treelet), std::pair("BUFFERS", options.buffers),
         std::pair("BUFFER_BITS", options.buffer_bits), std::pair("RESULT_BITS", options.result_bits)}) {
     command.push_back(fmt::format("-Pengine_bench.{}={}", name, value));
   }

@@ -15,6 +15,7 @@ namespace cbvh::emulator {
 struct SimulationOptions {
   std::string unit = "axis_compressor";
   int bits = 6;
+  int treelet = 1;                           ///< D
   int buffers = 2;                           ///< batch buffers, 1 or 2
   int buffer_bits = 12;                      ///< 2^buffer_bits bytes each
   int result_bits = 12;                      ///< the buffer of results has 2^result_bits bytes

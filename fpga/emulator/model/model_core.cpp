@@ -50,12 +50,16 @@ std::vector<vectors::UnitDescription> offered_units(const testbench::Backend& ba
   for (const vectors::UnitDescription& unit : vectors::units()) {
     if (!backend.has(unit) || (!options.unit.empty() && unit.name != options.unit)) continue;
     if (options.bits && !contains(unit.bits, *options.bits)) continue;
+    if (options.treelet && !contains(unit.treelets, *options.treelet)) continue;
     units.push_back(unit);
     if (options.bits) units.back().bits = {*options.bits};
+    if (options.treelet) units.back().treelets = {*options.treelet};
   }
   if (units.empty()) {
     if (!options.unit.empty()) vectors::find_unit(options.unit);  // throws for a name that does not exist
-    throw golden::InputError("bits", fmt::format("found {}: the unit does not have it", options.bits.value_or(0)));
+    const auto found = [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : "any"; };
+    throw golden::InputError("parameters", fmt::format("found N = {}, D = {}: no unit has these", found(options.bits),
+                                                       found(options.treelet)));
   }
   return units;
 }

@@ -18,15 +18,16 @@ struct CoreOptions {
   std::uint16_t buffers = 4;                                   ///< batches
   std::uint32_t greatest_payload_in = std::uint32_t{1} << 20;  ///< bytes
   std::uint32_t greatest_payload_out = std::uint32_t{1} << 20;
-  std::string unit = {};         ///< offer only this one; empty: all units
-  std::optional<int> bits = {};  ///< offer only this N
+  std::string unit = {};            ///< offer only this one; empty: all units
+  std::optional<int> bits = {};     ///< offer only this N
+  std::optional<int> treelet = {};  ///< offer only this D
 };
 
 /// The board's side of the link with the C++ modules inside, units of the rtl backend. A batch runs when the frames
 /// before its RESULTS have been sent.
 class ModelCore final : public Core {
  public:
-  /// Throws InputError when there is no such unit, or not with this N.
+  /// Throws InputError when there is no such unit, or not with this N and D.
   explicit ModelCore(const CoreOptions& options = {});
 
   void receive(std::span<const std::uint8_t> bytes) override;

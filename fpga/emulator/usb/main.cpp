@@ -24,12 +24,15 @@ namespace {
 using namespace cbvh;
 
 constexpr int kSignalBase = 128;
+constexpr int kBufferBits =
+    15;  ///< of simulated gateware, which has room for the largest episodes of the committed sets
 
 struct Options {
   std::string transport = "bulk";
   std::string core = "model";
   std::string unit;
   std::optional<int> bits;
+  std::optional<int> treelet;
   std::vector<std::string> faults;
   std::uint64_t seed = 1;
   bool verbose = false;
@@ -37,12 +40,14 @@ struct Options {
 
 std::unique_ptr<emulator::Core> make_core(const Options& options) {
   if (options.core == "model") {
-    return std::make_unique<emulator::ModelCore>(emulator::CoreOptions{.unit = options.unit, .bits = options.bits});
+    return std::make_unique<emulator::ModelCore>(
+        emulator::CoreOptions{.unit = options.unit, .bits = options.bits, .treelet = options.treelet});
   }
   if (options.core == "gateware") {
-    emulator::SimulationOptions simulation;
+    emulator::SimulationOptions simulation{.buffer_bits = kBufferBits, .result_bits = kBufferBits};
     if (!options.unit.empty()) simulation.unit = options.unit;
     simulation.bits = options.bits.value_or(simulation.bits);
+    simulation.treelet = options.treelet.value_or(simulation.treelet);
     return std::make_unique<emulator::GatewareCore>(simulation);
   }
   throw golden::InputError("--core", fmt::format("found '{}', want model, gateware", options.core));
@@ -95,6 +100,7 @@ int main(int argc, char** argv) {
                  "what is inside: model, the C++ modules, or gateware, the Verilog of one unit");
   app.add_option("--unit", options.unit, "the only unit it has");
   app.add_option("--bits", options.bits, "the only N it has");
+  app.add_option("--treelet", options.treelet, "the only D it has");
   app.add_option(
       "--fault", options.faults,
       fmt::format("KIND[:RATE], what goes wrong with transfers: {}", fmt::join(emulator::kFaultNames, ", ")));

@@ -5,6 +5,7 @@
 // BYTES -1 is power-on. +stalls=SEED holds both ends back at random. `CBVH_ENGINE is frame_engine, or uart_pins.
 module engine_bench;
   parameter N = 6;
+  parameter D = 1;
   parameter BUFFERS = 2;
   parameter BUFFER_BITS = 12;
   parameter RESULT_BITS = 12;
@@ -24,6 +25,7 @@ module engine_bench;
 
   `CBVH_ENGINE #(
       .N(N),
+      .D(D),
       .BUFFERS(BUFFERS),
       .BUFFER_BITS(BUFFER_BITS),
       .RESULT_BITS(RESULT_BITS),

@@ -3,6 +3,7 @@
 // travel as bits on a line. The other end's clock is 2 % slow or fast, by a bit of +stalls=SEED.
 module uart_pins #(
     parameter N = 6,
+    parameter D = 1,
     parameter BUFFERS = 2,
     parameter BUFFER_BITS = 12,
     parameter RESULT_BITS = 12,
@@ -27,6 +28,7 @@ module uart_pins #(
   uart_board #(
       .CLOCKS_PER_BIT(CLOCKS_PER_BIT),
       .N(N),
+      .D(D),
       .BUFFERS(BUFFERS),
       .BUFFER_BITS(BUFFER_BITS),
       .RESULT_BITS(RESULT_BITS),

@@ -31,6 +31,7 @@ module batch_runner #(
   localparam [23:0] GREATEST_RESULT = 24'd1 << RESULT_BITS;
   localparam [23:0] FIXED_BATCH = 24'd12;
   localparam [23:0] FIXED_RESULT = 24'd16;
+  localparam LINES_LOG2 = BUFFER_BITS > 12 ? BUFFER_BITS - 4 : 8;  // no episode fills more of the unit's memory
   localparam RECORD_PADDING = 8 * (RECORD_BYTES - 4) - `CBVH_RESPONSE_WIDTH;
 
   localparam [3:0] IDLE = 4'd0, FIXED = 4'd1, WALK = 4'd2, COUNTS = 4'd3, MULTIPLY = 4'd4, EPISODE = 4'd5, BEGIN = 4'd6, RESET = 4'd7,
@@ -64,9 +65,11 @@ module batch_runner #(
   reg  [      8*RECORD_BYTES-1:0] record;
   wire                            source_ready, taken, sink_valid;
   wire [`CBVH_RESPONSE_WIDTH-1:0] sink_data;
+  wire [31:0] sink_cycle;
   unit_socket #(
       .N(N),
-      .D(D)
+      .D(D),
+      .LINES_LOG2(LINES_LOG2)
   ) socket (
       .clk(unit_clk),
       .reset(unit_reset),
@@ -76,7 +79,8 @@ module batch_runner #(
       .taken(taken),
       .sink_valid(sink_valid),
       .sink_ready(1'b1),
-      .sink_data(sink_data)
+      .sink_data(sink_data),
+      .sink_cycle(sink_cycle)
   );
 
   // An episode.
@@ -84,6 +88,13 @@ module batch_runner #(
   reg  [31:0] cycle, cycles, idle_left;
   reg took, pushed, popped, surplus, draining, more;
   wire [31:0] latency;
+`ifdef CBVH_UNIT_MEMORY
+  reg [31:0] event_cycle;
+  always @(posedge clk) if (state == LOOK) event_cycle <= sink_cycle;
+`else
+  wire [31:0] event_cycle = cycle;
+  wire unused_sink_cycle = |sink_cycle;
+`endif
   generate
     if (`CBVH_UNIT_STATE) begin : of_first_stimulus
       reg [31:0] first;
@@ -95,7 +106,7 @@ module batch_runner #(
           first <= cycle;
         end
       end
-      assign latency = any ? cycle - first : 32'd0;
+      assign latency = any ? event_cycle - first : 32'd0;
     end else begin : of_own_stimulus
       localparam INDEX_BITS = BUFFER_BITS - $clog2(STIMULUS_BYTES + 1) + 1;
       reg [INDEX_BITS:0] accepted, given;
@@ -119,7 +130,7 @@ module batch_runner #(
         if (state == EDGE && took) accepted <= accepted + 1'b1;
         if (state == STAMP && given != accepted) given <= given + 1'b1;
       end
-      assign latency = given != accepted ? cycle - own : 32'd0;
+      assign latency = given != accepted ? event_cycle - own : 32'd0;
     end
   endgenerate
 

@@ -1,6 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 // Made by `cbvh gateware --board` from the C++ model: numbers of the board link, and the unit of this gateware. A
-// macro CBVH_UNIT_x chooses it; N is the parameter of the module that uses the widths.
+// macro CBVH_UNIT_x chooses it; N is the parameter of the module that uses the widths. UNIT_MEMORY: it runs in a harness.
 `ifndef CBVH_BOARD
 `define CBVH_BOARD
 
@@ -90,8 +90,9 @@
 `endif
 
 `ifdef CBVH_UNIT_BACKTRACK_UNIT
-`define CBVH_UNIT backtrack_unit
-`define CBVH_UNIT_PARAMETERS #(.N(N))
+`define CBVH_UNIT_MEMORY 1
+`define CBVH_UNIT backtrack_unit_harness
+`define CBVH_UNIT_PARAMETERS #(.N(N), .LINES_LOG2(LINES_LOG2))
 `define CBVH_UNIT_ID 32'h11F993D5
 `define CBVH_UNIT_NAME 256'h00000000000000000000000000000000000074696E755F6B636172746B636162
 `define CBVH_UNIT_STATE 1
@@ -126,8 +127,9 @@
 `endif
 
 `ifdef CBVH_UNIT_STREAM_COMPRESSOR
-`define CBVH_UNIT stream_compressor
-`define CBVH_UNIT_PARAMETERS #(.N(N), .D(D))
+`define CBVH_UNIT_MEMORY 1
+`define CBVH_UNIT stream_compressor_harness
+`define CBVH_UNIT_PARAMETERS #(.N(N), .D(D), .LINES_LOG2(LINES_LOG2))
 `define CBVH_UNIT_ID 32'h73F16C94
 `define CBVH_UNIT_NAME 256'h000000000000000000000000000000726F73736572706D6F635F6D6165727473
 `define CBVH_UNIT_STATE 1

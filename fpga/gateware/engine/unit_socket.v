@@ -1,10 +1,12 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 // The unit of this gateware (a CBVH_UNIT_x macro chooses it: cbvh_board.vh) between its two channels. `source_*` fill the channel in,
-// `sink_*` empty the channel out; `taken`: the unit takes a stimulus at the next edge.
+// `sink_*` empty the channel out; `taken`: the unit takes a stimulus at the next edge. A unit with a memory port
+// runs in its harness, with 4 * 2^LINES_LOG2 pairs of memory; `sink_cycle` is then the cycle in which the event happened.
 `include "cbvh_board.vh"
 module unit_socket #(
     parameter N = 6,
-    parameter D = 1
+    parameter D = 1,
+    parameter LINES_LOG2 = 8
 ) (
     input  wire                           clk,
     input  wire                           reset,
@@ -14,9 +16,10 @@ module unit_socket #(
     output wire                           taken,
     output wire                           sink_valid,
     input  wire                           sink_ready,
-    output wire [`CBVH_RESPONSE_WIDTH-1:0] sink_data
+    output wire [`CBVH_RESPONSE_WIDTH-1:0] sink_data,
+    output wire [                    31:0] sink_cycle
 );
-  wire unused_parameters = N == D;  // of a unit without them
+  wire unused_parameters = N == D && D == LINES_LOG2;  // of a unit without them
   wire                            stimuli_valid;
   wire                            stimuli_ready;
   wire [`CBVH_STIMULUS_WIDTH-1:0] stimuli_data;
@@ -35,6 +38,27 @@ module unit_socket #(
       .out_ready(stimuli_ready),
       .out_data(stimuli_data)
   );
+`ifdef CBVH_UNIT_MEMORY
+  wire [31:0] responses_cycle;
+  wire        unused_draws;
+  `CBVH_UNIT `CBVH_UNIT_PARAMETERS unit (
+      clk, reset, stimuli_valid, stimuli_ready, stimuli_data, responses_valid, responses_ready, responses_data,
+      responses_cycle, 4'd0, unused_draws
+  );
+  skid_buffer #(
+      .WIDTH(32 + `CBVH_RESPONSE_WIDTH)
+  ) responses (
+      .clk(clk),
+      .reset(reset),
+      .in_valid(responses_valid),
+      .in_ready(responses_ready),
+      .in_data({responses_cycle, responses_data}),
+      .out_valid(sink_valid),
+      .out_ready(sink_ready),
+      .out_data({sink_cycle, sink_data})
+  );
+`else
+  assign sink_cycle = 32'd0;
   `CBVH_UNIT `CBVH_UNIT_PARAMETERS unit (
       clk, reset, stimuli_valid, stimuli_ready, stimuli_data, responses_valid, responses_ready, responses_data
   );
@@ -50,5 +74,6 @@ module unit_socket #(
       .out_ready(sink_ready),
       .out_data(sink_data)
   );
+`endif
   assign taken = stimuli_valid & stimuli_ready;
 endmodule

@@ -29,6 +29,22 @@ for set in "$SOURCE"/vectors/sets/*.vec; do
 done
 ((count >= 25)) || fail "only $count vector sets"
 
+# Every twin's, with its Verilog inside the board.
+if command -v iverilog >/dev/null; then
+  twins=0
+  for set in "$SOURCE"/vectors/sets/*.vec; do
+    unit=$(basename "$set" .vec)
+    [[ -e $SOURCE/fpga/gateware/$unit.v ]] || continue
+    treelet=$(grep -om1 'treelet=[0-9]*' "$set")
+    runs 0 --core gateware --unit $unit --treelet ${treelet#*=} -- "$CBVH" check "$set" --backend board --link-timeout 60000
+    tail -n 1 out >board
+    expect 0 check "$set" --backend rtl
+    tail -n 1 out | cmp - board || fail "$set: counts differ between the board with gateware and rtl"
+    twins=$((twins + 1))
+  done
+  ((twins == 8)) || fail "$twins twins behind the link, want 8"
+fi
+
 # Faults are drawn from the seed: a run is repeatable, and says what it did.
 expect 0 gen --unit axis_compressor --cases 60000 -o many.bin
 runs 0 --fault corrupt:0.2 --seed 2 --verbose -- "$CBVH" check many.bin --backend board --link-timeout 200
@@ -39,7 +55,7 @@ grep -qE 'plugged in [2-9] times, reconnect [1-9]' err || fail "the board did no
 # The exit code is the command's; what is wrong with the emulator's own options is said in one line.
 for code in 0 1 5 77; do runs $code -- sh -c "exit $code"; done
 runs 137 -- sh -c 'kill -9 $$'
-for wrong in "--transport x" "--core x" "--fault x" "--fault drop:2" "--unit x" "--bits 9" "--nonsense"; do
+for wrong in "--transport x" "--core x" "--fault x" "--fault drop:2" "--unit x" "--bits 9" "--treelet 9" "--nonsense"; do
   runs 2 $wrong -- true
   [[ ! -s out && $(wc -l <err) == 1 ]] || fail "cbvh_emulator $wrong: one line on stderr and no output"
   grep -qE '^cbvh_emulator: .' err || fail "cbvh_emulator $wrong: not 'cbvh_emulator: what'"

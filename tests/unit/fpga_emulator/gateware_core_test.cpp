@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "golden/input_error.h"
 #include "testbench/gateware/simulator.h"
 #include "testbench/unavailable.h"
@@ -25,18 +27,32 @@ class GatewareCoreTest : public ::testing::Test {
   }
 };
 
-TEST_F(GatewareCoreTest, gives_the_models_responses_and_latencies_for_every_unit_without_memory) {
-  const std::pair<const char*, int> units[] = {{"axis_compressor", 6},      {"axis_compressor", 2},
-                                               {"axis_compressor", 8},      {"scale_estimator", 6},
-                                               {"context_stack", 6},        {"node_pair_compressor", 6},
-                                               {"node_pair_compressor", 4}, {"node_pair_compressor_serial", 6}};
-  for (const auto& [unit, bits] : units) {
-    GatewareCore gateware({.unit = unit, .bits = bits});
-    ModelCore model = model_core(unit, bits);
-    const Transcript found = run_vectors(gateware, unit, bits, 24);
-    EXPECT_TRUE(found == run_vectors(model, unit, bits, 24)) << unit << " N = " << bits;
-    EXPECT_GE(found.frames, 4U);
+TEST_F(GatewareCoreTest, gives_the_models_responses_and_latencies_for_every_unit) {
+  struct Built {
+    const char* unit;
+    int bits;
+    int treelet;
+    std::uint64_t cases = 24;
+  };
+  const Built all[] = {{"axis_compressor", 6, 1},      {"axis_compressor", 2, 1},
+                       {"axis_compressor", 8, 1},      {"scale_estimator", 6, 1},
+                       {"context_stack", 6, 1, 8},     {"node_pair_compressor", 6, 1},
+                       {"node_pair_compressor", 4, 1}, {"node_pair_compressor_serial", 6, 1},
+                       {"backtrack_unit", 6, 1, 8},    {"backtrack_unit", 8, 1, 8},
+                       {"treelet_collector", 6, 1, 8}, {"treelet_collector", 5, 3, 8},
+                       {"stream_compressor", 6, 1, 8}, {"stream_compressor", 4, 2, 8}};
+  std::set<std::string> seen;
+  for (const auto& [unit, bits, treelet, cases] : all) {
+    GatewareCore gateware({.unit = unit, .bits = bits, .treelet = treelet});
+    ModelCore model = model_core(unit, bits, treelet);
+    const Transcript found = run_vectors(gateware, unit, bits, cases, treelet);
+    EXPECT_TRUE(found == run_vectors(model, unit, bits, cases, treelet))
+        << unit << " N = " << bits << " D = " << treelet;
+    EXPECT_GE(found.frames, 4U) << unit;
+    seen.insert(unit);
   }
+  for (const vectors::UnitDescription& unit : vectors::units())
+    EXPECT_EQ(seen.count(std::string(unit.name)), testbench::has_twin(unit) ? 1U : 0U) << unit.name;
 }
 
 TEST_F(GatewareCoreTest, streams_that_stall_change_nothing) {

@@ -58,6 +58,32 @@ Transcript run_burst(emulator::Core& core) {
   return talk;
 }
 
+TEST(GatewareCoreMutants, of_units_with_memory_and_of_treelets_are_noticed) {
+  if (!testbench::why_no_simulator().empty()) GTEST_SKIP() << testbench::why_no_simulator();
+  struct Place {
+    const char *unit, *file, *from, *to;
+  };
+  const Place places[] = {
+      {"backtrack_unit", "backtrack_unit.v", "next = repair_0 ? place_0", "next = repair_1 ? place_1"},
+      {"backtrack_unit", "reencode_axis.v", "rounds_up = |(old_to", "rounds_up = |(old_from"},
+      {"backtrack_unit", "unit_socket.v", ".out_data({sink_cycle, sink_data})", ".out_data({sink_data, sink_cycle})"},
+      {"backtrack_unit", "batch_runner.v", "event_cycle <= sink_cycle", "event_cycle <= cycle"},
+      {"treelet_collector", "treelet_assembler.v", "left = &inner ? second_entry", "left = &inner ? right"},
+      {"treelet_collector", "treelet_row.v", "refused <= root ? ", "refused <= ~root ? "},
+      {"stream_compressor", "line_combiner.v", "wanted = holds & ", "wanted = 1'b0 & "},
+      {"stream_compressor", "stream_compressor_harness.v", "answers_data[PAIR*told_slot+:PAIR]",
+       "answers_data[0+:PAIR]"},
+  };
+  for (const Place& place : places) {
+    const int treelet = place.unit == std::string("treelet_collector") ? 2 : 1;
+    ModelCore model = model_core(place.unit, 6, treelet);
+    const Transcript wanted = run_vectors(model, place.unit, 6, 24, treelet);
+    const Mutant mutant(place.file, place.from, place.to);
+    GatewareCore core({.unit = place.unit, .treelet = treelet});
+    EXPECT_FALSE(run_vectors(core, place.unit, 6, 24, treelet) == wanted) << place.file << ": " << place.from;
+  }
+}
+
 TEST(GatewareCoreMutants, each_is_noticed) {
   if (!testbench::why_no_simulator().empty()) GTEST_SKIP() << testbench::why_no_simulator();
   struct Place {

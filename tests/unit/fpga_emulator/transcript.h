@@ -8,6 +8,7 @@
 
 #include "fpga/emulator/model/model_core.h"
 #include "talk.h"
+#include "testbench/gateware/simulator.h"
 #include "vectors/random.h"
 
 /// Conversations with a board of two batch buffers of 4 KiB and one unit, for comparing two cores.
@@ -16,19 +17,24 @@ namespace cbvh::testing {
 inline constexpr std::size_t kBufferBytes = 4096;
 inline constexpr std::size_t kHelloBoard = 24;  ///< bytes of HELLO before its name
 inline constexpr std::size_t kHelloClock = 8;
+inline constexpr std::size_t kResultsCycles = 8;
 
-inline emulator::ModelCore model_core(const std::string& unit, int bits) {
+inline emulator::ModelCore model_core(const std::string& unit, int bits, int treelet = 1) {
   return emulator::ModelCore({.buffers = 2,
                               .greatest_payload_in = kBufferBytes,
                               .greatest_payload_out = kBufferBytes,
                               .unit = unit,
-                              .bits = bits});
+                              .bits = bits,
+                              .treelet = treelet});
 }
 
-/// A conversation, turn by turn: all answers of a turn are awaited. Of HELLO the clock and the board's name are masked.
+/// A conversation, turn by turn: all answers of a turn are awaited. Of HELLO the clock and the board's name are masked;
+/// of a unit in a harness, which takes cycles of its own to tell what is in memory, the cycles run and latencies that
+/// are not stated.
 class Transcript {
  public:
-  explicit Transcript(emulator::Core& core) : core_(core) {}
+  explicit Transcript(emulator::Core& core, const vectors::VectorSet* in_harness = nullptr)
+      : core_(core), in_harness_(in_harness) {}
 
   void turn(host::ByteSpan bytes) {
     core_.receive(bytes);
@@ -43,6 +49,9 @@ class Transcript {
         std::fill_n(payload.begin() + kHelloClock, 4, std::uint8_t{0});
         std::fill_n(payload.begin() + kHelloBoard, host::kNameBytes, std::uint8_t{0});
       }
+      if (in_harness_ != nullptr && frame->header.type == host::FrameType::results) mask_results(payload);
+      if (in_harness_ != nullptr && frame->header.type == host::FrameType::board_status)
+        std::fill_n(payload.end() - 4, 4, std::uint8_t{0});
       host::append_frame(known, frame->header.type, frame->header.sequence, payload);
       ++frames;
     }
@@ -60,17 +69,36 @@ class Transcript {
   std::size_t frames = 0;
   std::uint64_t skipped = 0;
   std::uint32_t sequence = 0;
+  std::size_t case_index = 0;  ///< in the set of a unit in a harness: what each episode of the next RESULTS is of
 
  private:
+  void mask_results(host::Bytes& payload) const {
+    std::fill_n(payload.begin() + kResultsCycles, 4, std::uint8_t{0});
+    const std::size_t packed = in_harness_->response_codec().packed_bytes();
+    const auto results = host::BatchResults::parse(payload, packed);
+    ASSERT_TRUE(results);
+    std::size_t at = host::BatchResults::kFixedBytes;
+    for (const auto& episode : results->episodes) {
+      at += host::BatchResults::kEpisodeBytes;
+      const auto range = in_harness_->response_range(case_index);
+      for (std::size_t i = 0; i < episode.responses; ++i, at += 4 + packed) {
+        if (i < range.size && in_harness_->latency_at(range.begin + i) != vectors::kLatencyNotStated) continue;
+        std::fill_n(payload.begin() + static_cast<std::ptrdiff_t>(at), 4, std::uint8_t{0});
+      }
+    }
+  }
+
   emulator::Core& core_;
+  const vectors::VectorSet* in_harness_;
 };
 
 /// Sets of cases, in batches that fit the buffers.
-inline Transcript run_vectors(emulator::Core& core, const std::string& unit, int bits, std::uint64_t cases) {
-  const auto set = vectors::generate_set(unit, {bits, 1}, cases, 5);
-  Transcript talk(core);
+inline Transcript run_vectors(emulator::Core& core, const std::string& unit, int bits, std::uint64_t cases,
+                              int treelet = 1) {
+  const auto set = vectors::generate_set(unit, {bits, treelet}, cases, 5);
+  Transcript talk(core, testbench::has_harness(set->unit()) ? set.get() : nullptr);
   talk.frame(host::FrameType::hello);
-  talk.frame(host::FrameType::open, open_payload(unit, bits, 1));
+  talk.frame(host::FrameType::open, open_payload(unit, bits, treelet));
   PackedBatch all(*set, 7);
   const std::size_t stimulus = set->stimulus_codec().packed_bytes();
   const std::size_t record = 4 + set->response_codec().packed_bytes();
@@ -78,6 +106,7 @@ inline Transcript run_vectors(emulator::Core& core, const std::string& unit, int
   for (const host::Batch::Episode& episode : all.batch.episodes) {
     host::Batch part = all.batch;
     if (set->unit().stateful) {
+      talk.case_index = static_cast<std::size_t>(&episode - all.batch.episodes.data());
       part.episodes = {episode, episode};  // the second begins from reset as the first did
       part.episodes.resize(episode.stimuli <= most / 2 ? 2 : 1);
       if (episode.stimuli <= most && episode.wanted <= most) talk.frame(host::FrameType::vectors, part.to_payload());
