@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/build/split.h"
 #include "golden/options/options.h"
 
 namespace cbvh::golden {
@@ -33,6 +34,11 @@ struct BuildLimits {
   /// object median always fits if the node itself fits.
   bool fit(std::uint64_t left, std::uint64_t right, int levels) const {
     return fit(left > right ? left : right, levels - 1);
+  }
+  /// Whether such a node is split there rather than at the object median: an area to judge by, a split, and halves that
+  /// fit.
+  bool usable(const Split& split, double half_area, std::uint64_t primitives, int levels) const {
+    return half_area > 0 && split.exists() && fit(split.left, primitives - split.left, levels);
   }
 };
 

@@ -2,6 +2,7 @@
 #include "golden/build/sah_bins.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cbvh::golden {
 
@@ -22,6 +23,12 @@ void SahBins::merge(const SahBins& other) {
       axes_[axis][i].weight += other.axes_[axis][i].weight;
     }
   }
+}
+
+std::uint32_t SahBins::left(const Split& split) const {
+  std::uint32_t weight = 0;
+  for (std::size_t i = 0; i < split.position; ++i) weight += axes_[static_cast<std::size_t>(split.axis)][i].weight;
+  return weight;
 }
 
 Split SahBins::best() const {

@@ -3,21 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 
+#include "golden/build/split.h"
 #include "golden/build/wide_box.h"
 
 namespace cbvh::golden {
-
-/// A way to split a node in two: those before `position` on the axis, and the others.
-struct Split {
-  double cost = std::numeric_limits<double>::infinity();  ///< half area times count, of both sides; no split: infinite
-  int axis = 0;
-  std::uint32_t position = 0;  ///< in bins, or in the order of centroids
-  std::uint32_t left = 0;      ///< weight before the position
-
-  bool exists() const { return position > 0; }
-};
 
 inline constexpr int kMaxBins = 32;
 
@@ -56,6 +46,9 @@ class SahBins {
 
   /// As if all that was added to `other` had been added here. In any order: the result is the same.
   void merge(const SahBins& other);
+
+  /// The weight before a split.
+  std::uint32_t left(const Split& split) const;
 
   /// The cheapest split between two bins; of equals the one with the lowest axis, then position. None if all lies in
   /// one bin of each axis.

@@ -52,7 +52,7 @@ class SweepBuild {
     if (limits_.prefer_leaf(node.count, node.levels, area, 0)) return make_leaf(node, box);
     Split split = best_split(node);
     if (limits_.prefer_leaf(node.count, node.levels, area, split.cost)) return make_leaf(node, box);
-    if (!(area > 0) || !limits_.fit(split.left, node.count - split.left, node.levels)) split = median(node);
+    if (!limits_.usable(split, area, node.count, node.levels)) split = median(node);
     tree_.nodes[node.node] = {{}, node.below, 0};
     partition(node, split);
     build({node.first, split.left, node.below, node.below + 2, node.levels - 1});
