@@ -39,18 +39,23 @@ Split SahBins::best() const {
     std::array<double, kMaxBins> right_cost;  // of the bins from i on
     WideBox box;
     std::uint32_t weight = 0;
+    double cost_so_far = 0;
     for (std::size_t i = bins; --i > 0;) {
-      box.enclose(entries[i].box);
-      weight += entries[i].weight;
-      right_cost[i] = weight == 0 ? 0 : half_area(box) * weight;
+      if (entries[i].weight > 0) {
+        box.enclose(entries[i].box);
+        weight += entries[i].weight;
+        cost_so_far = half_area(box) * weight;
+      }
+      right_cost[i] = cost_so_far;
     }
     const std::uint32_t total = weight + entries[0].weight;
     box = {};
     weight = 0;
     for (std::size_t i = 1; i < bins; ++i) {
+      if (entries[i - 1].weight == 0) continue;  // nothing to the left, or the same split as one before
       box.enclose(entries[i - 1].box);
       weight += entries[i - 1].weight;
-      if (weight == 0 || weight == total) continue;
+      if (weight == total) break;
       const double cost = half_area(box) * weight + right_cost[i];
       if (cost < best.cost) best = {cost, static_cast<int>(axis), static_cast<std::uint32_t>(i), weight};
     }

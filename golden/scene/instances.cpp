@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "golden/quantize/edge.h"
 #include "golden/scene/directed.h"
 #include "golden/scene/mesh_check.h"
 
@@ -91,17 +90,16 @@ glm::dmat4 inverse_of(const glm::mat4& to_world, const std::string& place) {
 Box world_box(const Box& box, const glm::mat4& to_world) {
   Box world{};
   for (glm::length_t row = 0; row < kAxes; ++row) {
-    auto lower = static_cast<double>(to_world[3][row]);
-    double upper = lower;
+    const auto translation = static_cast<double>(to_world[3][row]);
+    Double2 bounds{translation, -translation};  // the upper one negated: both are rounded down
     for (glm::length_t column = 0; column < kAxes; ++column) {
       const auto factor = static_cast<double>(to_world[column][row]);
       const double a = factor * static_cast<double>(box.lower[column]);
       const double b = factor * static_cast<double>(box.upper[column]);
-      lower = add_down(lower, std::min(a, b));
-      upper = add_up(upper, std::max(a, b));
+      bounds = add_down(bounds, Double2{std::min(a, b), -std::max(a, b)});
     }
-    world.lower[row] = round_down(lower) + 0.0F;
-    world.upper[row] = -round_down(-upper) + 0.0F;
+    world.lower[row] = float_down(bounds[0]) + 0.0F;
+    world.upper[row] = -float_down(bounds[1]) + 0.0F;
   }
   return world;
 }

@@ -107,8 +107,9 @@ class Rebraid {
     if (all.size() == 2) return 1;
     WideBox centroids;
     for (const BuildReference& reference : all) centroids.enclose(reference.bounds.centroid());
-    const BinMapping mapping(centroids, options_.bins);
-    SahBins bins(options_.bins);
+    const int bin_count = std::min(options_.bins, 2 * static_cast<int>(std::min<std::size_t>(all.size(), kMaxBins)));
+    const BinMapping mapping(centroids, bin_count);
+    SahBins bins(bin_count);
     for (const BuildReference& reference : all)
       bins.add(mapping.bin_of(reference.bounds.centroid()), reference.bounds, reference.primitives);
     const Split split = bins.best();
