@@ -106,7 +106,7 @@ double move_bytes(emulator::UsbSystem& system, const Streamed& streamed) {
   return seconds_since(start);
 }
 
-int measure(std::uint64_t cases, unsigned repeats) {
+int measure(std::uint64_t cases, unsigned repeats, const std::vector<unsigned>& payloads) {
   emulator::UsbSystem system;
   const auto set = vectors::generate_set("axis_compressor", {6, 1}, cases, 1);
   const double data = static_cast<double>(set->stimulus_codec().packed_bytes() +
@@ -120,7 +120,7 @@ int measure(std::uint64_t cases, unsigned repeats) {
   const auto keep_best = [](Streamed& best, const Streamed& now) {
     if (best.seconds == 0 || now.seconds < best.seconds) best = now;
   };
-  for (const std::uint32_t kib : {4U, 16U, 64U, 256U, 1024U}) {
+  for (const unsigned kib : payloads) {
     Streamed computed;
     Streamed replayed;
     double bare = 0;
@@ -147,12 +147,14 @@ int main(int argc, char** argv) {
   emulator::preload_umockdev(argv);
   std::uint64_t cases = 1'000'000;
   unsigned repeats = 3;
+  std::vector<unsigned> payloads = {4, 16, 64, 256, 1024};
   CLI::App app("Measures the link to the emulated board.", "link_throughput");
   app.add_option("--cases", cases, "axis vectors")->check(CLI::PositiveNumber);
   app.add_option("--repeats", repeats, "of each measurement; the best counts")->check(CLI::PositiveNumber);
+  app.add_option("--payload", payloads, "KiB of a transfer, for a row each")->check(CLI::Range(1U, 16384U));
   CLI11_PARSE(app, argc, argv);
   try {
-    return measure(cases, repeats);
+    return measure(cases, repeats, payloads);
   } catch (const std::exception& error) {
     fmt::print(stderr, "link_throughput: {}\n", error.what());
     return 1;

@@ -11,14 +11,46 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-std::uint64_t load(const CodecLeaf& leaf, const void* payload) {
-  std::uint64_t raw = 0;
-  std::memcpy(&raw, static_cast<const char*>(payload) + leaf.offset, leaf.size);
+// A copy of a size known to the compiler is one instruction.
+template <class T>
+std::uint64_t load_as(const char* at) {
+  T raw;
+  std::memcpy(&raw, at, sizeof raw);
   return raw;
 }
 
+template <class T>
+void store_as(char* at, std::uint64_t value) {
+  const auto raw = static_cast<T>(value);
+  std::memcpy(at, &raw, sizeof raw);
+}
+
+std::uint64_t load(const CodecLeaf& leaf, const void* payload) {
+  const char* const at = static_cast<const char*>(payload) + leaf.offset;
+  switch (leaf.size) {
+    case 1:
+      return load_as<std::uint8_t>(at);
+    case 2:
+      return load_as<std::uint16_t>(at);
+    case 4:
+      return load_as<std::uint32_t>(at);
+    default:
+      return load_as<std::uint64_t>(at);
+  }
+}
+
 void store(const CodecLeaf& leaf, void* payload, std::uint64_t raw) {
-  std::memcpy(static_cast<char*>(payload) + leaf.offset, &raw, leaf.size);
+  char* const at = static_cast<char*>(payload) + leaf.offset;
+  switch (leaf.size) {
+    case 1:
+      return store_as<std::uint8_t>(at, raw);
+    case 2:
+      return store_as<std::uint16_t>(at, raw);
+    case 4:
+      return store_as<std::uint32_t>(at, raw);
+    default:
+      return store_as<std::uint64_t>(at, raw);
+  }
 }
 
 constexpr std::size_t kWordBytes = 8;
@@ -29,24 +61,6 @@ std::optional<std::size_t> word_of(std::size_t size, std::size_t bit, int width)
   const std::size_t first = std::min(bit / 8, size - kWordBytes);
   if (bit - 8 * first + static_cast<std::size_t>(width) > 64) return std::nullopt;
   return first;
-}
-
-/// Puts bits [bit, bit + width) of a packed payload, which are 0; bit 0 is the lowest of byte 0.
-void put_bits(std::uint8_t* bytes, std::size_t size, std::size_t bit, int width, std::uint64_t raw) {
-  raw &= rtl::low_mask(width);
-  if (const auto first = word_of(size, bit, width)) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes + *first, kWordBytes);
-    word |= raw << (bit - 8 * *first);
-    std::memcpy(bytes + *first, &word, kWordBytes);
-    return;
-  }
-  for (int done = 0; done < width;) {
-    const auto used = static_cast<int>(bit % 8);
-    bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] | (raw >> done << used));
-    bit += static_cast<std::size_t>(8 - used);
-    done += 8 - used;
-  }
 }
 
 std::uint64_t get_bits(const std::uint8_t* bytes, std::size_t size, std::size_t bit, int width) {
@@ -126,13 +140,19 @@ void PayloadCodec::print_text(const void* payload, char* text) const {
 }
 
 void PayloadCodec::pack(const void* payload, std::uint8_t* bytes) const {
-  const std::size_t size = packed_bytes();
-  std::memset(bytes, 0, size);
-  std::size_t bit = 0;
+  std::uint64_t word = 0;  // what is not written yet
+  int used = 0;            // its bits, below 64
   for (const CodecLeaf& leaf : leaves) {
-    put_bits(bytes, size, bit, leaf.width, load(leaf, payload));
-    bit += static_cast<std::size_t>(leaf.width);
+    const std::uint64_t raw = load(leaf, payload) & rtl::low_mask(leaf.width);
+    word |= raw << used;
+    used += leaf.width;
+    if (used < 64) continue;
+    std::memcpy(bytes, &word, kWordBytes);
+    bytes += kWordBytes;
+    used -= 64;
+    word = used == 0 ? 0 : raw >> (leaf.width - used);
   }
+  std::memcpy(bytes, &word, static_cast<std::size_t>(used + 7) / 8);
 }
 
 bool PayloadCodec::unpack(const std::uint8_t* bytes, void* payload) const {

@@ -78,6 +78,7 @@ void ModelCore::reset() {
 
 void ModelCore::forget() {
   open_.reset();
+  worker_.forget();
   queue_.clear();
   batches_queued_ = 0;
   sequence_ = {};
@@ -166,7 +167,12 @@ void ModelCore::take_vectors(std::uint32_t sequence, ByteSpan payload) {
     return refuse(sequence, ErrorReason::responses, options_.greatest_payload_out);
   }
   ++batches_queued_;
-  answer(FrameType::results, QueuedBatch{Bytes(payload.begin(), payload.end()), *open_, sequence});
+  auto compute = [this, unit = *open_, bytes = Bytes(payload.begin(), payload.end())] {
+    const auto parsed = host::Batch::parse(bytes, unit.stimulus_bytes());
+    const BatchOutcome outcome = runner_.run(*parsed, unit, options_.greatest_payload_out);
+    return ComputedBatch{outcome.results.to_payload(), outcome.results.cycles};
+  };
+  answer(FrameType::results, QueuedBatch{worker_.start(std::move(compute)), batch->number, sequence});
 }
 
 std::uint32_t ModelCore::credit() const { return sequence_.next() + (options_.buffers - batches_queued_); }
@@ -216,9 +222,9 @@ std::vector<std::uint8_t> ModelCore::send(std::size_t most) {
 void ModelCore::send_next() {
   Queued next = std::move(queue_.front());
   queue_.pop_front();
-  if (const auto* const batch = std::get_if<QueuedBatch>(&next.answer)) {
+  if (auto* const batch = std::get_if<QueuedBatch>(&next.answer)) {
     --batches_queued_;
-    return run_batch(*batch);
+    return send_batch(*batch);
   }
   std::visit(
       [&]<class Message>(Message& message) {
@@ -234,16 +240,17 @@ void ModelCore::send_next() {
       next.answer);
 }
 
-void ModelCore::run_batch(const QueuedBatch& queued) {
-  const auto batch = host::Batch::parse(queued.payload, queued.unit.stimulus_bytes());
+void ModelCore::send_batch(QueuedBatch& queued) {
   try {
-    BatchOutcome outcome = runner_.run(*batch, queued.unit, options_.greatest_payload_out);
+    ComputedBatch computed = queued.computed.get();
     ++batches_;
-    cycles_ += outcome.results.cycles;
-    outcome.results.credit = credit();
-    append_frame(FrameType::results, outcome.results.to_payload());
+    cycles_ += computed.cycles;
+    Bytes credit_bytes;
+    host::append(credit_bytes, credit());
+    std::copy(credit_bytes.begin(), credit_bytes.end(), computed.payload.begin());
+    append_frame(FrameType::results, computed.payload);
   } catch (const std::exception&) {
-    const host::BoardError error{credit(), ErrorReason::internal, queued.sequence, batch->number};
+    const host::BoardError error{credit(), ErrorReason::internal, queued.sequence, queued.number};
     append_frame(FrameType::error, error.to_payload());
   }
 }

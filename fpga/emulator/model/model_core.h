@@ -2,12 +2,14 @@
 #pragma once
 
 #include <deque>
+#include <future>
 #include <optional>
 #include <string>
 #include <variant>
 
 #include "fpga/emulator/core.h"
 #include "fpga/emulator/model/batch_runner.h"
+#include "fpga/emulator/model/worker.h"
 #include "fpga/host/frame_reader.h"
 #include "fpga/host/messages.h"
 
@@ -23,8 +25,8 @@ struct CoreOptions {
   std::optional<int> treelet = {};  ///< offer only this D
 };
 
-/// The board's side of the link with the C++ modules inside, units of the rtl backend. A batch runs when the frames
-/// before its RESULTS have been sent.
+/// The board's side of the link with the C++ modules inside, units of the rtl backend. Batches are computed on a thread
+/// of their own as they come, and count when their RESULTS are sent; until then RESET makes them undone.
 class ModelCore final : public Core {
  public:
   /// Throws InputError when there is no such unit, or not with this N and D.
@@ -37,9 +39,14 @@ class ModelCore final : public Core {
  private:
   using Bytes = host::Bytes;
   using FrameType = host::FrameType;
-  struct QueuedBatch {
+  /// What a batch has given: the payload of RESULTS, but for the credit.
+  struct ComputedBatch {
     Bytes payload;
-    OpenUnit unit;
+    std::uint32_t cycles;
+  };
+  struct QueuedBatch {
+    std::future<ComputedBatch> computed;
+    std::uint32_t number;
     std::uint32_t sequence;
   };
   /// A frame to be sent, but for its credit; or what becomes one.
@@ -63,7 +70,7 @@ class ModelCore final : public Core {
   host::BoardStatus status() const;
   host::BoardHello hello() const;
   void send_next();
-  void run_batch(const QueuedBatch& batch);
+  void send_batch(QueuedBatch& batch);
   void append_frame(FrameType type, const Bytes& payload);
 
   const CoreOptions options_;
@@ -81,6 +88,7 @@ class ModelCore final : public Core {
   std::uint32_t taken_ = 0;
   std::uint32_t batches_ = 0;
   std::uint32_t cycles_ = 0;
+  Worker<ComputedBatch> worker_;  ///< last: it ends before what it uses
 };
 
 }  // namespace cbvh::emulator
