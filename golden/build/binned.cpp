@@ -6,10 +6,14 @@
 #include "golden/build/small_sweep.h"
 #include "golden/build/subtree_arrays.h"
 #include "golden/build/top_binning.h"
+#include "golden/build/top_grid.h"
 #include "golden/scene/mesh_check.h"
 
 namespace cbvh::golden {
 namespace {
+
+/// The grid need only give all threads enough to do: the fewer of its medians, the better the tree.
+constexpr int kGridLevels = 6;
 
 class BinnedSubtrees {
  public:
@@ -66,8 +70,9 @@ FloatTree build(const Mesh& mesh, const OptionValues& options) {
   const auto bins = static_cast<int>(options.integer("bins"));
   SubtreeArrays arrays(static_cast<std::uint32_t>(mesh.triangles.size()));
   BinnedSubtrees builder(limits, bins, arrays);
-  build_subtrees(split_by_binning(mesh, limits, bins, arrays), limits.threads,
-                 [&](const Subtree& subtree) { builder.build(subtree); });
+  const bool grid = options.word("top") == 1;
+  build_subtrees(grid ? split_by_grid(mesh, limits, kGridLevels, arrays) : split_by_binning(mesh, limits, bins, arrays),
+                 limits.threads, [&](const Subtree& subtree) { builder.build(subtree); });
   return emit(arrays.tree(), mesh.triangles.size(), mesh.name);
 }
 
@@ -76,6 +81,8 @@ FloatTree build(const Mesh& mesh, const OptionValues& options) {
 BuilderKind binned_builder() {
   std::vector<Option> options = limit_options();
   options.insert(options.begin(), {"bins", "bins an axis", 16, 4, kMaxBins});
+  options.push_back(word_option("top", "how the scene is partitioned before its subtrees are built (section 5)",
+                                {"binning", "grid"}));
   options.push_back(threads_option());
   return {"binned", "SAH between bins of centroids, on three axes (Wald, Ize, Parker, section 4)", std::move(options),
           build};

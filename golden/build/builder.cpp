@@ -3,6 +3,7 @@
 
 #include "golden/build/binned.h"
 #include "golden/build/lbvh.h"
+#include "golden/build/median.h"
 #include "golden/build/sweep.h"
 #include "golden/input_error.h"
 #include "golden/scene/read_file.h"
@@ -21,7 +22,7 @@ const BuilderKind& kind_of(const std::string& place, std::string_view descriptio
 }  // namespace
 
 const std::vector<BuilderKind>& builder_kinds() {
-  static const std::vector<BuilderKind> all = {lbvh_builder(), sweep_builder(), binned_builder()};
+  static const std::vector<BuilderKind> all = {lbvh_builder(), sweep_builder(), binned_builder(), median_builder()};
   return all;
 }
 

@@ -6,13 +6,13 @@
 
 namespace cbvh::golden {
 
-BinMapping::BinMapping(const WideBox& centroids, int bins)
-    : lower_(centroids.lower), scale_{}, last_(Float4{} + static_cast<float>(bins - 1)) {
-  for (int axis = 0; axis < 3; ++axis) {
+BinMapping::BinMapping(const WideBox& centroids, const std::array<int, 3>& bins)
+    : lower_(centroids.lower), scale_{}, last_{} {
+  constexpr double kGreatest = std::numeric_limits<float>::max();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     const double extent = static_cast<double>(centroids.upper[axis]) - static_cast<double>(centroids.lower[axis]);
-    if (extent > 0)
-      scale_[axis] =
-          static_cast<float>(std::min(bins / extent, static_cast<double>(std::numeric_limits<float>::max())));
+    if (extent > 0) scale_[axis] = static_cast<float>(std::min(bins[axis] / extent, kGreatest));
+    last_[axis] = static_cast<float>(bins[axis] - 1);
   }
 }
 

@@ -15,8 +15,9 @@ inline constexpr int kMaxBins = 32;
 /// centroids' box.
 class BinMapping {
  public:
-  /// 1 <= bins <= kMaxBins.
-  BinMapping(const WideBox& centroids, int bins);
+  /// At least 1 bin; at most kMaxBins where SahBins are filled.
+  BinMapping(const WideBox& centroids, int bins) : BinMapping(centroids, {bins, bins, bins}) {}
+  BinMapping(const WideBox& centroids, const std::array<int, 3>& bins);
 
   /// In lanes 0..2: 0 .. bins - 1. An axis on which all centroids agree, or differ too little for binary32, has but
   /// one bin.

@@ -79,7 +79,7 @@ class NaiveSah {
     return all;
   }
 
- private:
+ protected:
   struct Emitted {
     Box box;
     bool leaf;
@@ -106,6 +106,28 @@ class NaiveSah {
     return count <= leaf_size;
   }
 
+  bool is_leaf(const Ids& ids, int levels, double split_cost) const {
+    const double a = area(ids);
+    return ids.size() <= leaf &&
+           (ids.size() == 1 || levels == 0 ||
+            intersection * static_cast<double>(ids.size()) * a <= traversal * a + intersection * split_cost);
+  }
+
+  Emitted emit_leaf(const Ids& ids, FloatTree& tree) const {
+    Box box = boxes[ids[0]];
+    for (const std::uint32_t id : ids) box = unite(box, boxes[id]);
+    const auto first = static_cast<std::uint32_t>(tree.primitive_ids.size());
+    tree.primitive_ids.insert(tree.primitive_ids.end(), ids.begin(), ids.end());
+    tree.primitive_ids.back() |= kLastOfLeaf;
+    return {box, true, first};
+  }
+
+  static Emitted emit_pair(const Emitted& left, const Emitted& right, FloatTree& tree) {
+    tree.pairs.push_back({{left.box, right.box}, {left.leaf, right.leaf}, {left.pointer, right.pointer}});
+    return {unite(left.box, right.box), false, static_cast<std::uint32_t>(tree.pairs.size() - 1)};
+  }
+
+ private:
   Emitted node(const Ids& ids, int levels, FloatTree& tree) const {
     double least = std::numeric_limits<double>::infinity();
     Halves best;
@@ -115,23 +137,13 @@ class NaiveSah {
         best = halves;
       }
     }
-    const double a = area(ids);
-    const double as_leaf = intersection * static_cast<double>(ids.size()) * a;
-    if (ids.size() <= leaf && (ids.size() == 1 || levels == 0 || as_leaf <= traversal * a + intersection * least)) {
-      Box box = boxes[ids[0]];
-      for (const std::uint32_t id : ids) box = unite(box, boxes[id]);
-      const auto first = static_cast<std::uint32_t>(tree.primitive_ids.size());
-      tree.primitive_ids.insert(tree.primitive_ids.end(), ids.begin(), ids.end());
-      tree.primitive_ids.back() |= kLastOfLeaf;
-      return {box, true, first};
-    }
+    if (is_leaf(ids, levels, least)) return emit_leaf(ids, tree);
     const bool usable =
-        a > 0 && !best.left.empty() && fits(std::max(best.left.size(), best.right.size()), leaf, levels - 1);
+        area(ids) > 0 && !best.left.empty() && fits(std::max(best.left.size(), best.right.size()), leaf, levels - 1);
     if (!usable) best = median(ids);
     const Emitted left = node(best.left, levels - 1, tree);
     const Emitted right = node(best.right, levels - 1, tree);
-    tree.pairs.push_back({{left.box, right.box}, {left.leaf, right.leaf}, {left.pointer, right.pointer}});
-    return {unite(left.box, right.box), false, static_cast<std::uint32_t>(tree.pairs.size() - 1)};
+    return emit_pair(left, right, tree);
   }
 };
 
