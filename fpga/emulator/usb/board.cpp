@@ -50,6 +50,7 @@ void UsbBoard::run() {
     link_.power_on();
     function_->power_on();
     ++plugged_;
+    if (nodes_.size() >= kNumbersPerPort) nodes_[nodes_.size() - kNumbersPerPort].reset();  // its number comes again
     auto node =
         std::make_unique<UsbNode>(system_.testbed(), transport_, *function_, port_, number_of(port_, nodes_.size()));
     const std::lock_guard lock(mutex_);

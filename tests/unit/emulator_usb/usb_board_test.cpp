@@ -238,6 +238,24 @@ TEST(UsbBoard, a_board_that_comes_back_is_announced_and_works) {
   EXPECT_EQ(libusb_claim_interface(again, 0), 0);
 }
 
+TEST(UsbBoard, comes_back_more_often_than_a_port_has_numbers) {
+  Bench bench(Transport::bulk, {{FaultKind::reconnect, 1}});
+  constexpr unsigned kTimes = 33;
+  for (unsigned i = 1; i <= kTimes; ++i) {
+    libusb_device_handle* handle = nullptr;
+    for (int tries = 0; tries < 500 && handle == nullptr; ++tries) {
+      timeval wait{0, 10'000};
+      libusb_handle_events_timeout_completed(bench.context(), &wait, nullptr);
+      handle = bench.open();
+    }
+    ASSERT_NE(handle, nullptr) << "time " << i;
+    ASSERT_EQ(bench.board().plugged(), i);
+    ASSERT_EQ(libusb_claim_interface(handle, 0), 0);
+    Bytes bytes(64);
+    ASSERT_EQ(move(handle, 0x01, bytes).error, LIBUSB_ERROR_NO_DEVICE);
+  }
+}
+
 TEST(UsbBoard, transfers_in_flight_can_be_cancelled) {
   Bench bench;
   libusb_device_handle* const handle = bench.open();
