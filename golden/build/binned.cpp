@@ -73,7 +73,7 @@ FloatTree build(const Mesh& mesh, const OptionValues& options) {
   const bool grid = options.word("top") == 1;
   build_subtrees(grid ? split_by_grid(mesh, limits, kGridLevels, arrays) : split_by_binning(mesh, limits, bins, arrays),
                  limits.threads, [&](const Subtree& subtree) { builder.build(subtree); });
-  return emit(arrays.tree(), mesh.triangles.size(), mesh.name);
+  return emit(arrays.tree(), mesh.triangles.size(), mesh.name, limits.threads);
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 #include "golden/build/builder.h"
 
 #include "golden/build/binned.h"
+#include "golden/build/kdtree.h"
 #include "golden/build/lbvh.h"
 #include "golden/build/median.h"
+#include "golden/build/spatial.h"
 #include "golden/build/sweep.h"
 #include "golden/input_error.h"
 #include "golden/scene/read_file.h"
@@ -22,7 +24,8 @@ const BuilderKind& kind_of(const std::string& place, std::string_view descriptio
 }  // namespace
 
 const std::vector<BuilderKind>& builder_kinds() {
-  static const std::vector<BuilderKind> all = {lbvh_builder(), sweep_builder(), binned_builder(), median_builder()};
+  static const std::vector<BuilderKind> all = {lbvh_builder(),   sweep_builder(),   binned_builder(),
+                                               median_builder(), spatial_builder(), kdtree_builder()};
   return all;
 }
 

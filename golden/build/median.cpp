@@ -89,7 +89,7 @@ FloatTree build(const Mesh& mesh, const OptionValues& options) {
   MedianSubtrees builder(limits, arrays);
   build_subtrees(split_by_grid(mesh, limits, kGridLevels, arrays), limits.threads,
                  [&](const Subtree& subtree) { builder.build(subtree); });
-  return emit(arrays.tree(), mesh.triangles.size(), mesh.name);
+  return emit(arrays.tree(), mesh.triangles.size(), mesh.name, limits.threads);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "golden/build/float_tree.h"
+#include "golden/build/unwritten.h"
 
 namespace cbvh::golden {
 
@@ -17,14 +18,14 @@ struct NodeTree {
         first;  ///< of a leaf: its first entry in `references`; else the index of child 0, child 1 is the next
     std::uint32_t count;  ///< of a leaf: its references, at least 1; 0 of an inner node
   };
-  std::vector<Node> nodes;                ///< the root is nodes[0]; places that no node points to are left out
-  std::vector<std::uint32_t> references;  ///< primitive IDs; a leaf's lie side by side
+  std::vector<Node, Unwritten<Node>> nodes;  ///< the root is nodes[0]; places that no node points to are left out
+  std::vector<std::uint32_t, Unwritten<std::uint32_t>> references;  ///< primitive IDs; a leaf's lie side by side
 };
 
 /// The tree in emission order, with boxes of inner nodes tight around their children's. `primitives` of the scene.
 /// Throws InputError named `place` when the counts do not fit a node pair's pointers. However deep the tree, the depth
-/// of calls is bounded.
-FloatTree emit(const NodeTree& tree, std::size_t primitives, const std::string& place);
+/// of calls is bounded. Several threads emit parts of the tree; the result is the same.
+FloatTree emit(const NodeTree& tree, std::size_t primitives, const std::string& place, int threads = 1);
 
 /// Levels of inner nodes on the longest way from the root to a leaf; 0 for a tree that is one leaf.
 int depth(const FloatTree& tree);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <tuple>
 
 #include "golden/scene/directed.h"
 #include "golden/scene/mesh_check.h"
@@ -88,20 +89,28 @@ glm::dmat4 inverse_of(const glm::mat4& to_world, const std::string& place) {
 }
 
 Box world_box(const Box& box, const glm::mat4& to_world) {
-  Box world{};
-  for (glm::length_t row = 0; row < kAxes; ++row) {
-    const auto translation = static_cast<double>(to_world[3][row]);
+  struct Image {
+    float lower;
+    float upper;
+  };
+  const auto image = [&box](float x, float y, float z, float translation) -> Image {
     Double2 bounds{translation, -translation};  // the upper one negated: both are rounded down
-    for (glm::length_t column = 0; column < kAxes; ++column) {
-      const auto factor = static_cast<double>(to_world[column][row]);
-      const double a = factor * static_cast<double>(box.lower[column]);
-      const double b = factor * static_cast<double>(box.upper[column]);
+    const auto add = [&bounds](double factor, double lower, double upper) {
+      const double a = factor * lower;
+      const double b = factor * upper;
       bounds = add_down(bounds, Double2{std::min(a, b), -std::max(a, b)});
-    }
-    world.lower[row] = float_down(bounds[0]) + 0.0F;
-    world.upper[row] = -float_down(bounds[1]) + 0.0F;
-  }
-  return world;
+    };
+    add(x, box.lower.x, box.upper.x);
+    add(y, box.lower.y, box.upper.y);
+    add(z, box.lower.z, box.upper.z);
+    const auto [lower, negated_upper] = floats_down(bounds);
+    return {lower, 0.0F - negated_upper};
+  };
+  const auto& [cx, cy, cz, translation] = std::tie(to_world[0], to_world[1], to_world[2], to_world[3]);
+  const Image x = image(cx.x, cy.x, cz.x, translation.x);
+  const Image y = image(cx.y, cy.y, cz.y, translation.y);
+  const Image z = image(cx.z, cy.z, cz.z, translation.z);
+  return {{x.lower, y.lower, z.lower}, {x.upper, y.upper, z.upper}};
 }
 
 glm::vec3 world_point(const glm::vec3& point, const glm::mat4& to_world) {

@@ -11,11 +11,13 @@
 #include "golden/scene/ply_file.h"
 #include "golden/scene/procedural/procedural.h"
 #include "golden/scene/read_file.h"
+#include "golden/scene/rotate.h"
 
 namespace cbvh::golden {
 namespace {
 
 constexpr std::string_view kProcedural = "proc:";
+constexpr std::string_view kRotated = "rotated:";
 
 std::string lower_case(std::string text) {
   for (char& c : text) {
@@ -25,6 +27,11 @@ std::string lower_case(std::string text) {
 }
 
 Mesh read_scene(const std::string& spec) {
+  if (spec.starts_with(kRotated)) {
+    Mesh mesh = rotated(load_scene(spec.substr(kRotated.size())));
+    mesh.name = std::string(kRotated) + mesh.name;
+    return mesh;
+  }
   if (spec.starts_with(kProcedural)) return make_procedural_scene(spec, spec.substr(kProcedural.size()));
   const std::filesystem::path path(spec);
   const std::string extension = lower_case(path.extension().string());

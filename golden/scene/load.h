@@ -8,9 +8,9 @@
 
 namespace cbvh::golden {
 
-/// The scene that `spec` names: a file "x.glb", "x.gltf", "x.obj" or "x.ply", or "proc:NAME[,key=value...]".
-/// Triangles keep the file's order, degenerate ones included. Throws InputError, and nothing else, when there is no
-/// valid scene.
+/// The scene that `spec` names: a file "x.glb", "x.gltf", "x.obj" or "x.ply", or "proc:NAME[,key=value...]"; with
+/// "rotated:" before any of these, that scene turned by 45 degrees around all axes (rotate.h). Triangles keep the
+/// file's order, degenerate ones included. Throws InputError, and nothing else, when there is no valid scene.
 Mesh load_scene(const std::string& spec);
 
 /// The NAMEs that "proc:NAME" takes.

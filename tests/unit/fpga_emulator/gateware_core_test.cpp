@@ -39,7 +39,7 @@ TEST_F(GatewareCoreTest, gives_the_models_responses_and_latencies_for_every_unit
                        {"context_stack", 6, 1, 8},     {"node_pair_compressor", 6, 1},
                        {"node_pair_compressor", 4, 1}, {"node_pair_compressor_serial", 6, 1},
                        {"backtrack_unit", 6, 1, 8},    {"backtrack_unit", 8, 1, 8},
-                       {"treelet_collector", 6, 1, 8}, {"treelet_collector", 5, 3, 8},
+                       {"treelet_collector", 6, 1, 8}, {"treelet_collector", 4, 3, 8},
                        {"stream_compressor", 6, 1, 8}, {"stream_compressor", 4, 2, 8}};
   std::set<std::string> seen;
   for (const auto& [unit, bits, treelet, cases] : all) {

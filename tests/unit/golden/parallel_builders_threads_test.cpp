@@ -32,8 +32,13 @@ TEST_P(ParallelBuilders, ten_runs_with_1_2_and_4_threads_give_the_same_tree) {
     expect_tree_of_all_triangles(alone, mesh, 4, 32);
     for (int run = 0; run < 10; ++run) {
       for (const int threads : {1, 2, 4}) {
-        expect_same_tree(build(fmt::format("{},threads={}", GetParam(), threads), mesh), alone, mesh.name);
+        const FloatTree together = build(fmt::format("{},threads={}", GetParam(), threads), mesh);
+        expect_same_tree(together, alone, mesh.name);
         if (HasFatalFailure()) return;
+        EXPECT_EQ(together.scene.lower, alone.scene.lower);
+        EXPECT_EQ(together.scene.upper, alone.scene.upper);
+        EXPECT_EQ(together.largest_magnitude, alone.largest_magnitude);
+        EXPECT_EQ(together.primitives, alone.primitives);
       }
     }
   }

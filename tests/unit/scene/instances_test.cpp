@@ -9,6 +9,8 @@
 #include <limits>
 
 #include "golden/input_error.h"
+#include "golden/quantize/edge.h"
+#include "golden/scene/directed.h"
 #include "golden/scene/procedural/random.h"
 #include "golden/scene/trouble_scenes.h"
 
@@ -51,6 +53,41 @@ std::string message_of(const TwoLevelScene& scene) {
 }
 
 Mesh triangle() { return {"t", {{0, 0, 0}, {1, 0, 0}, {0, 1, 2}}, {{0, 1, 2}}}; }
+
+TEST(Instances, directed_sums_are_the_exact_one_or_the_double_below_it) {
+  Random random(5);
+  const auto below = [](double x) { return std::nextafter(x, -INFINITY); };
+  int checks = 0;
+  for (int i = 0; i < 2000; ++i) {
+    double a = random.between(-2, 2);
+    if (i % 2 == 0) a = i % 4 == 0 ? -1.0 : 1.0;  // powers of two: other gaps on either side
+    a = std::ldexp(a, static_cast<int>(random.bits() % 300) - 150);
+    const double little = std::abs(a) * 0x1p-80;
+    const Double2 sums = add_down(Double2{a, a}, Double2{-little, little});
+    ASSERT_EQ(sums[0], below(a)) << i;
+    ASSERT_EQ(sums[1], a) << i;
+    const Double2 others = add_down(Double2{a, 0.0}, Double2{-a, a});
+    ASSERT_EQ(others[0], 0.0) << i;
+    ASSERT_EQ(others[1], a) << i;
+    checks += 4;
+  }
+  EXPECT_EQ(checks, 8000);
+}
+
+TEST(Instances, floats_are_rounded_down_as_round_down_says) {
+  Random random(6);
+  constexpr double kMax = std::numeric_limits<float>::max();
+  std::vector<double> values{0.0,      -0.0,      kMax,     -kMax,     kMax * 2, -kMax * 2,
+                             0x1p-149, -0x1p-149, 0x1p-151, -0x1p-151, 1,        -1};
+  for (int i = 0; i < 3000; ++i)
+    values.push_back(std::ldexp(static_cast<double>(random.between(-2, 2)) + random.unit() * 0x1p-30,
+                                static_cast<int>(random.bits() % 300) - 160));
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const std::array<float, 2> floats = floats_down(Double2{values[i - 1], values[i]});
+    ASSERT_EQ(floats[0], round_down(values[i - 1])) << values[i - 1];
+    ASSERT_EQ(floats[1], round_down(values[i])) << values[i];
+  }
+}
 
 TEST(Instances, world_boxes_enclose_every_corner_exactly_and_are_at_most_a_float_too_wide) {
   Random random(1);

@@ -117,6 +117,27 @@ TEST(ProceduralScene, morph_goes_through_its_four_shapes_and_keeps_its_triangles
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(moved[axis], before[axis], 1e-5);
 }
 
+TEST(ProceduralScene, rotated_is_45_degrees_around_each_axis_with_the_same_bits_for_every_compiler) {
+  const Mesh before = load_scene("proc:city,triangles=1000");
+  const Mesh after = load_scene("rotated:proc:city,triangles=1000");
+  EXPECT_EQ(after.name, "rotated:proc:city,triangles=1000");
+  EXPECT_EQ(after.triangles, before.triangles);
+  EXPECT_EQ(fnv1a(after), 0x24d9ee86acc45528);
+  for (std::size_t i = 0; i < before.positions.size(); ++i) {
+    const glm::dvec3 p(before.positions[i]);
+    const glm::dvec3 q(after.positions[i]);
+    EXPECT_NEAR(q.x * q.x + q.y * q.y + q.z * q.z, p.x * p.x + p.y * p.y + p.z * p.z, 0.1);
+    const double half = std::sqrt(0.5);  // around x, then y, then z
+    const double y = (p.y - p.z) * half;
+    const double z = (p.y + p.z) * half;
+    const double x = (p.x + z) * half;
+    EXPECT_NEAR(q.z, (z - p.x) * half, 1e-4);
+    EXPECT_NEAR(q.x, (x - y) * half, 1e-4);
+    EXPECT_NEAR(q.y, (x + y) * half, 1e-4);
+  }
+  EXPECT_EQ(error_of("rotated:proc:city,size=1").substr(0, 15), "proc:city,size=");
+}
+
 TEST(ProceduralScene, city_is_made_of_axis_parallel_boxes) {
   const Mesh city = load_scene("proc:city,triangles=1000");
   for (const glm::uvec3& t : city.triangles) {
