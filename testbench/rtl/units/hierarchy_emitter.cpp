@@ -35,8 +35,9 @@ class Output {
   std::size_t next_ = 0;
 };
 
-bool run_steps(std::span<const vectors::EmitStep> steps, const RunOptions& options, std::uint64_t number,
-               Responses& responses) {
+/// `wanted` responses end it, but not before every scene's report: any of the outputs may be held back longest.
+bool run_steps(std::span<const vectors::EmitStep> steps, std::size_t wanted, const RunOptions& options,
+               std::uint64_t number, Responses& responses) {
   std::vector<rtl::SortItem> records;
   std::size_t scenes = 0;
   for (const vectors::EmitStep& step : steps) {
@@ -55,7 +56,8 @@ bool run_steps(std::span<const vectors::EmitStep> steps, const RunOptions& optio
   Sink<rtl::EmitReport> report_sink(reports, sink_stalls(options, number + 2));
   rtl::Clock clock(source, items, acceptance, unit, jobs, ids, reports, job_sink, id_sink, report_sink);
   Runner runner(clock, options);
-  const bool finished = runner.run_until([&] { return report_sink.items.size() >= scenes; },
+  const auto received = [&] { return job_sink.items.size() + id_sink.items.size() + report_sink.items.size(); };
+  const bool finished = runner.run_until([&] { return report_sink.items.size() >= scenes && received() >= wanted; },
                                          [&] { return items.pops() + jobs.pops() + ids.pops() + reports.pops(); });
   runner.drain();
   using Kind = EmitEvent::Kind;
@@ -77,14 +79,15 @@ bool run_steps(std::span<const vectors::EmitStep> steps, const RunOptions& optio
 }  // namespace
 
 UnitDriver hierarchy_emitter_driver() {
-  return {"hierarchy_emitter", [](const vectors::VectorSet& set, const RunOptions& options) {
-            Responses responses(sizeof(EmitEvent));
-            for (std::size_t index = 0; index < set.size(); ++index) {
-              const auto steps = typed_stimuli<vectors::EmitStep, EmitEvent>(set, set.stimulus_range(index));
-              responses.end_case(!run_steps(steps, options, set.head(index).id, responses));
-            }
-            return responses;
-          }};
+  return {
+      "hierarchy_emitter", [](const vectors::VectorSet& set, const RunOptions& options) {
+        Responses responses(sizeof(EmitEvent));
+        for (std::size_t index = 0; index < set.size(); ++index) {
+          const auto steps = typed_stimuli<vectors::EmitStep, EmitEvent>(set, set.stimulus_range(index));
+          responses.end_case(!run_steps(steps, set.response_range(index).size, options, set.head(index).id, responses));
+        }
+        return responses;
+      }};
 }
 
 }  // namespace cbvh::testbench
