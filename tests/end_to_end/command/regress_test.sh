@@ -26,6 +26,10 @@ for stalls in none source sink both; do
   expect 0 regress --unit scale_estimator --stalls $stalls --shuffle 4 --json $stalls.json
 done
 expect 0 merge none.json source.json sink.json both.json
+for seed in 1 2 3; do
+  expect 0 regress --suite smoke --seed $seed
+  [[ $(tail -n 1 out) =~ ^[1-9][0-9]{7,}\ passed,\ 0\ failed$ ]] || fail "the smoke suite's last line is not 'N passed, 0 failed' for seed $seed"
+done
 
 expect 0 regress --unit axis_compressor --set 'generated bits=6' --only 17 --stalls none
 [[ $(tail -n 1 out) == "8 passed, 0 failed" ]] || fail "one case has 8 checks"
