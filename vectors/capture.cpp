@@ -9,6 +9,7 @@
 #include "vectors/convert.h"
 #include "vectors/faces/collector.h"
 #include "vectors/generate/backtrack_steps.h"
+#include "vectors/generate/decode_jobs.h"
 #include "vectors/generate/float_trees.h"
 #include "vectors/registry.h"
 #include "vectors/units/backtrack_unit.h"
@@ -125,6 +126,15 @@ void offer_estimates(const rtl::PairJob& job, Collection& collection) {
   }
 }
 
+void offer_children(const rtl::PairJob& job, const PairAnswer& answer, int bits, Collection& collection) {
+  const golden::CompressedPair pair = stored_pair(job.pair, answer, job.registers, bits);
+  for (const golden::CompressedChild& child : pair.child) {
+    with_bits(bits, [&](auto n) {
+      collection.offer(to_wires<decltype(n)::value>({child, answer.context, job.registers}));
+    });
+  }
+}
+
 /// What the stream compressor does to the stack of contexts.
 std::vector<rtl::StackOperation> stack_operations_of(const Stream& stream, int bits) {
   std::vector<rtl::StackOperation> operations;
@@ -160,6 +170,8 @@ void capture(std::string_view unit, const golden::FloatTree& tree, const Stream&
     watch([&](const rtl::PairJob& job, const PairAnswer&) { offer_estimates(job, collection); });
   } else if (unit.starts_with("node_pair_compressor")) {
     watch([&](const rtl::PairJob& job, const PairAnswer&) { collection.offer(job); });
+  } else if (unit == "box_decoder") {
+    watch([&](const rtl::PairJob& job, const PairAnswer& answer) { offer_children(job, answer, bits, collection); });
   } else if (unit == "backtrack_unit") {
     capture_backtracking(tree, stream, options, bits, collection);
   } else if (unit == "context_stack" || collection.takes<rtl::StreamJob>()) {

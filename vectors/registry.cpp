@@ -46,7 +46,8 @@ std::span<const UnitDescription> units() {
                                                    describe_primitive_gatherer(),
                                                    describe_refit_walker(),
                                                    describe_refit_unit(),
-                                                   describe_top_down_compressor()};
+                                                   describe_top_down_compressor(),
+                                                   describe_box_decoder()};
   return all;
 }
 

@@ -24,7 +24,11 @@ enum class Corner : std::uint8_t {
   axis_edge_subnormal,
   estimate_one_coarser,  ///< the size alone would be one scale too fine
   estimate_minimum_scale,
-  decode_full_span,   ///< an upper code equal to the parent's lower one: s = 2^N
+  decode_full_span,  ///< an upper code equal to the parent's lower one: s = 2^N
+  decode_inverted,
+  decode_beyond_exactness,
+  decode_scale_below_minimum,
+  decode_too_wide,
   coarsen_rounds_up,  ///< an upper edge that moves when it is re-encoded
   child_scale_changed,
   child_lower_changed,  ///< only the lower index changed: matters to relative codes alone
@@ -77,6 +81,10 @@ constexpr std::array<std::string_view, kCorners> kCornerNames = {
     "estimate_one_coarser",
     "estimate_minimum_scale",
     "decode_full_span",
+    "decode_inverted",
+    "decode_beyond_exactness",
+    "decode_scale_below_minimum",
+    "decode_too_wide",
     "coarsen_rounds_up",
     "child_scale_changed",
     "child_lower_changed",
@@ -127,13 +135,14 @@ enum class Datapath : std::uint8_t {
   unite_boxes,
   common_prefix,
   merge_compare,
+  decode_box,
   count
 };
 
 constexpr std::size_t kDatapaths = static_cast<std::size_t>(Datapath::count);
 
 constexpr std::array<std::string_view, kDatapaths> kDatapathNames = {
-    "compress_axis", "estimate_scale", "union_axis",  "choose_context", "assemble_pair", "reencode",     "invalidates",
-    "primitive_box", "morton_frame",   "morton_code", "unite_boxes",    "common_prefix", "merge_compare"};
+    "compress_axis", "estimate_scale", "union_axis",  "choose_context", "assemble_pair", "reencode",      "invalidates",
+    "primitive_box", "morton_frame",   "morton_code", "unite_boxes",    "common_prefix", "merge_compare", "decode_box"};
 
 }  // namespace cbvh::rtl

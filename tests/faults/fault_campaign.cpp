@@ -54,6 +54,8 @@ std::vector<std::string> nearest_units(const Fault& fault) {
       return {"hierarchy_emitter"};
     case rtl::Datapath::merge_compare:
       return {"run_merger"};
+    case rtl::Datapath::decode_box:
+      return {"box_decoder"};
     case rtl::Datapath::reencode:
     case rtl::Datapath::invalidates:
       return {"backtrack_unit", "treelet_collector"};

@@ -22,6 +22,7 @@ UnitDescription describe_primitive_gatherer();
 UnitDescription describe_refit_walker();
 UnitDescription describe_refit_unit();
 UnitDescription describe_top_down_compressor();
+UnitDescription describe_box_decoder();
 UnitDescription describe_primitive_reader();
 UnitDescription describe_box_builder();
 UnitDescription describe_morton_encoder();

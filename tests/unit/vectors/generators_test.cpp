@@ -10,6 +10,7 @@
 #include "vectors/typed_vector_set.h"
 #include "vectors/units/axis_compressor.h"
 #include "vectors/units/backtrack_unit.h"
+#include "vectors/units/box_decoder.h"
 #include "vectors/units/context_stack.h"
 #include "vectors/units/node_pair_compressor.h"
 #include "vectors/units/scale_estimator.h"
@@ -106,7 +107,8 @@ TEST(Generators, corners_of_an_axis_are_valid_and_refusals_have_their_status) {
                                                        {"too-wide", Status::too_wide}};
   std::size_t checked = 0;
   const auto check = [&](const VectorSet& set, std::size_t i, std::uint64_t status) {
-    if (set.class_name(i) == "any-wires" || set.class_name(i) == "several-reasons") return;
+    if (set.class_name(i) == "any-wires" || set.class_name(i) == "any-codes") return;
+    if (set.class_name(i) == "several-reasons") return;
     const auto refusal = refusals.find(set.class_name(i));
     const Status want = refusal == refusals.end() ? Status::ok : refusal->second;
     if (set.class_name(i) == "context-elsewhere") return;
@@ -130,9 +132,13 @@ TEST(Generators, corners_of_an_axis_are_valid_and_refusals_have_their_status) {
       for (std::size_t i = 0; i < pairs->size(); ++i) {
         check(*pairs, i, typed<NodePairCompressor<kN>>(*pairs).responses(i)[0].response.status.raw());
       }
+      const auto nodes = generate_set("box_decoder", parameters, 21 * 100, 1);
+      for (std::size_t i = 0; i < nodes->size(); ++i) {
+        check(*nodes, i, typed<BoxDecoder<kN>>(*nodes).responses(i)[0].response.status.raw());
+      }
     });
   }
-  EXPECT_GT(checked, kBuiltBits.size() * 4'500U);
+  EXPECT_GT(checked, kBuiltBits.size() * 6'200U);
 }
 
 TEST(Generators, the_corners_are_what_they_are_called) {
@@ -162,6 +168,26 @@ TEST(Generators, the_corners_are_what_they_are_called) {
     EXPECT_EQ(seen[name], 200U) << name;
   }
   for (const char* name : {"signed-zero", "subnormal"}) EXPECT_GT(seen[name], 60U) << name;
+}
+
+TEST(Generators, children_end_at_their_parents_upper_edge_and_at_the_last_exact_index) {
+  const auto set = generate_set("box_decoder", {6, 1}, 21 * 100, 1);
+  const auto& nodes = typed<BoxDecoder<6>>(*set);
+  std::size_t inside_and_up_to_the_edge = 0;
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < set->size(); ++i) {
+    const rtl::DecodeJob<6>& job = nodes.stimuli(i)[0];
+    const rtl::DecodeResult& result = nodes.responses(i)[0].response;
+    if (result.status.raw() != 0) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::uint64_t origin = job.registers.relative ? 0 : job.parent[axis].lower.raw() & 63;
+      const bool ends_at_edge = job.node.hi[axis].raw() == origin && job.node.lo[axis].raw() != origin;
+      if (set->class_name(i) == "parents-upper-edge") inside_and_up_to_the_edge += ends_at_edge;
+      if (set->class_name(i) == "largest-index") largest += std::abs(result.context[axis].lower.value()) == 1 << 24;
+    }
+  }
+  EXPECT_GT(inside_and_up_to_the_edge, 280U);
+  EXPECT_GT(largest, 60U);
 }
 
 TEST(Generators, the_stack_overflows_and_underflows) {

@@ -11,6 +11,7 @@
 #include "vectors/registry.h"
 #include "vectors/typed_vector_set.h"
 #include "vectors/units/axis_compressor.h"
+#include "vectors/units/box_decoder.h"
 #include "vectors/units/context_stack.h"
 #include "vectors/units/scale_estimator.h"
 #include "vectors/units/stream_compressor.h"
@@ -129,6 +130,69 @@ TEST(GoldenFaces, scale_estimator_is_the_smallest_scale_that_fits) {
     }
   });
   EXPECT_GT(estimates, 600U);
+}
+
+/// One axis of a decoded child against the definitions: k and l are the indices within the parent's reach that have
+/// these codes, the own grid is the finest that holds them.
+void expect_decoded(const rtl::DecodeResult& result, std::size_t axis, unsigned lo, unsigned hi,
+                    const rtl::AxisContext& parent, const rtl::SceneRegisters& registers, int bits) {
+  const std::int64_t capacity = std::int64_t{1} << bits;
+  const std::int64_t origin = registers.relative ? parent.lower.value() : 0;
+  const auto index_from = [&](std::int64_t first, unsigned code) {
+    while ((first - origin - code) % capacity != 0) ++first;
+    return first;
+  };
+  const std::int64_t k = index_from(parent.lower.value(), lo);
+  const std::int64_t l = index_from(parent.lower.value() + 1, hi);
+  const int scale = static_cast<int>(parent.scale.value());
+  const auto expect_edge = [&](rtl::Float32 found, std::int64_t index) {
+    const Rational exact = Rational(index) * two_to(scale);
+    if (abs(exact) >= two_to(128)) {
+      ASSERT_EQ(found.bits, index > 0 ? 0x7F800000U : 0xFF800000U);
+    } else {
+      ASSERT_EQ(rational(found), exact);
+      ASSERT_EQ(found.bits == 0x80000000U, false);
+    }
+  };
+  expect_edge(result.box.lower[axis], k);
+  expect_edge(result.box.upper[axis], l);
+  const Integer most = capacity - (registers.figure5 ? 1 : 0);
+  int own = std::max(static_cast<int>(registers.min_scale.value()), scale - 12);
+  while (Rational(l - k) * two_to(scale - own) > Rational(most)) ++own;
+  ASSERT_LE(own, scale);
+  ASSERT_EQ(result.context[axis].scale.value(), own);
+  ASSERT_EQ(Rational(result.context[axis].lower.value()) * two_to(own), Rational(k) * two_to(scale));
+}
+
+TEST(GoldenFaces, box_decoder_gives_the_indices_that_have_these_codes_as_exact_floats_and_the_finest_grid) {
+  std::size_t decoded = 0;
+  for (const int bits : kBuiltBits) {
+    with_bits(bits, [&](auto n) {
+      constexpr int kN = decltype(n)::value;
+      const auto set = generate_set("box_decoder", {kN, 1}, 21 * 30, 23);
+      const auto& all = dynamic_cast<const TypedVectorSet<BoxDecoder<kN>>&>(*set);
+      for (std::size_t i = 0; i < set->size(); ++i) {
+        const rtl::DecodeJob<kN>& job = all.stimuli(i)[0];
+        const rtl::DecodeResult& result = all.responses(i)[0].response;
+        if (result.status.raw() != 0) {
+          rtl::DecodeResult refused;
+          refused.status = result.status;
+          ASSERT_EQ(result, refused);
+          continue;
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto lo = static_cast<unsigned>(job.node.lo[axis].raw());
+          const auto hi = static_cast<unsigned>(job.node.hi[axis].raw());
+          expect_decoded(result, axis, lo, hi, job.parent[axis], job.registers, kN);
+          if (testing::Test::HasFatalFailure()) return;
+        }
+        ASSERT_EQ(result.leaf, job.node.leaf);
+        ASSERT_EQ(result.pointer, job.node.pointer);
+        ++decoded;
+      }
+    });
+  }
+  EXPECT_GT(decoded, kBuiltBits.size() * 420U);
 }
 
 TEST(GoldenFaces, context_stack_refusals_change_nothing) {
