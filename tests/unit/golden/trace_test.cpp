@@ -1,15 +1,13 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
-
 #include "golden/build/lbvh.h"
 #include "golden/build/node_tree.h"
 #include "golden/input_error.h"
 #include "golden/scene/load.h"
 #include "golden/scene/trouble_scenes.h"
 #include "golden/trace/traverse.h"
+#include "tests/unit/golden/awkward_rays.h"
 
 namespace cbvh::golden {
 namespace {
@@ -41,62 +39,6 @@ FloatTree tree_by_index(const Mesh& mesh) {
   return emit(tree, boxes.size(), mesh.name);
 }
 
-/// Rays from around the scene to points in it: anywhere, along axes, at midpoints of edges, at vertices, and so close
-/// to a triangle's plane that t is hardly determined.
-class Rays {
- public:
-  Rays(const Mesh& mesh, std::uint64_t seed) : mesh_(mesh), random_(seed) {}
-
-  Ray next(int kind) {
-    if (kind == 4) return grazing();
-    const glm::vec3 to = kind == 3 ? corner() : kind == 2 ? (corner() + corner()) * 0.5F : anywhere();
-    Ray ray{anywhere(), {}};
-    if (kind == 1) {
-      ray.direction[static_cast<int>(random_() % 3)] = random_() % 2 == 0 ? 1.0F : -2.0F;
-      for (int axis = 0; axis < 3; ++axis) {
-        if (ray.direction[axis] == 0 && random_() % 2 == 0) ray.direction[axis] = -0.0F;
-        if (ray.direction[axis] == 0) ray.origin[axis] = corner()[axis];
-      }
-    } else {
-      ray.direction = to - ray.origin;
-    }
-    return ray;
-  }
-
- private:
-  Ray grazing() {
-    const glm::uvec3& triangle = mesh_.triangles[random_() % mesh_.triangles.size()];
-    const glm::vec3 a = mesh_.positions[triangle.x];
-    const glm::vec3 to = mesh_.positions[triangle.y];
-    glm::vec3 from = a + (a - to) * 3.0F;
-    float& moved = from[static_cast<int>(random_() % 3)];
-    moved = std::nextafter(moved, random_() % 2 == 0 ? INFINITY : -INFINITY);
-    return {from, to - from};
-  }
-  glm::vec3 corner() {
-    const glm::uvec3& triangle = mesh_.triangles[random_() % mesh_.triangles.size()];
-    return mesh_.positions[triangle[static_cast<int>(random_() % 3)]];
-  }
-  glm::vec3 anywhere() {
-    const auto part = [&] { return static_cast<float>(random_() % 1024) / 512.0F - 0.5F; };
-    const glm::vec3 a = corner();
-    const glm::vec3 b = corner();
-    return a + glm::vec3(part(), part(), part()) * (b - a);
-  }
-
-  const Mesh& mesh_;
-  std::mt19937_64 random_;
-};
-
-bool can_be_traced(const Ray& ray) {
-  try {
-    check_ray(ray, "ray");
-  } catch (const InputError&) {
-    return false;
-  }
-  return true;
-}
-
 /// Every triangle, no tree.
 Hit nearest_of_all(const Mesh& mesh, const Ray& ray) {
   FloatTree leaf;
@@ -116,7 +58,7 @@ TEST(Trace, the_nearest_hit_is_that_of_testing_every_triangle_whatever_the_tree)
     const FloatTree other = tree_by_index(mesh);
     Tracer first{FloatTreeView(morton), mesh};
     Tracer second{FloatTreeView(other), mesh};
-    Rays source(mesh, id);
+    AwkwardRays source(mesh, id);
     for (int i = 0; i < 200; ++i) {
       Ray ray = source.next(i % 5);
       if (!can_be_traced(ray)) continue;
@@ -162,7 +104,7 @@ TEST(Trace, the_nearest_hit_does_not_depend_on_the_tree_where_t_is_hardly_determ
   const FloatTree other = tree_by_index(mesh);
   Tracer first{FloatTreeView(morton), mesh};
   Tracer second{FloatTreeView(other), mesh};
-  Rays source(mesh, 5);
+  AwkwardRays source(mesh, 5);
   std::size_t hits = 0;
   for (int i = 0; i < 20000; ++i) {
     const Ray ray = source.next(4);
@@ -224,7 +166,7 @@ TEST_P(TraceOfATriangle, has_t_where_the_plane_is) {
 TEST(Trace, rays_that_never_stop_test_every_box_and_leaf_on_their_way) {
   const Mesh mesh = load_scene("proc:soup,triangles=400,size=0.5");
   const FloatTree tree = build_lbvh(mesh);
-  Rays source(mesh, 3);
+  AwkwardRays source(mesh, 3);
   std::uint64_t stopped_less = 0;
   for (int i = 0; i < 200; ++i) {
     const Ray ray = source.next(0);

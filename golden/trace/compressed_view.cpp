@@ -1,0 +1,16 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "golden/trace/compressed_view.h"
+
+#include <fmt/format.h>
+
+#include "golden/input_error.h"
+
+namespace cbvh::golden {
+
+CompressedTreeView::CompressedTreeView(const CompressedTree& tree) : tree_(&tree) {
+  if (fits_64_bits(tree.scene, tree.rules)) return;
+  throw InputError("traversal", fmt::format("e_min: found {}, wanted the exactness limit {} or more",
+                                            tree.rules.min_scale, exactness_limit(largest_magnitude(tree.scene))));
+}
+
+}  // namespace cbvh::golden
