@@ -35,6 +35,15 @@ Camera Camera::around(const Box& box) {
   return {"camera", middle + glm::dvec3(1, 0.7, 2) * (size * 0.55), middle, glm::dvec3(0, 1, 0), 0.5};
 }
 
+Camera Camera::inside(const Box& box) {
+  const glm::dvec3 extent = glm::dvec3(box.upper) - glm::dvec3(box.lower);
+  const glm::dvec3 middle = glm::dvec3(box.lower) + extent * 0.5;
+  const int longest = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+  glm::dvec3 along(0);
+  along[longest] = std::max(extent[longest], 1e-30) * 0.4;
+  return {"camera", middle - along, middle, longest == 1 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0), 0.7};
+}
+
 Ray Camera::ray(unsigned x, unsigned y, unsigned width, unsigned height) const {
   const double across = (2.0 * x + 1 - width) / height;
   const double upwards = (height - 2.0 * y - 1) / height;

@@ -20,6 +20,9 @@ class Camera {
   /// From above and beside a box, at a distance from which all of it is seen.
   static Camera around(const Box& box);
 
+  /// From within a box, close to one end of its longest side, towards the other end.
+  static Camera inside(const Box& box);
+
   /// Through the middle of a pixel; (0, 0) is the upper left one. In the image's middle the direction has length 1.
   Ray ray(unsigned x, unsigned y, unsigned width, unsigned height) const;
 
