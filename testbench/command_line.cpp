@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "golden/input_error.h"
+#include "testbench/invocation.h"
 #include "testbench/unavailable.h"
 #include "testbench/version.h"
 
@@ -82,6 +83,7 @@ Command CommandLine::add(const std::string& name, const std::string& description
 }
 
 int run_command_line(int argc, const char* const* argv) {
+  record_command_line(argc, argv);
   CLI::App app{kDescription, "cbvh"};
   app.set_version_flag("--version", fmt::format("cbvh {}", kVersion), "print the version and exit");
   app.require_subcommand(1);

@@ -12,6 +12,8 @@
 
 #include "golden/input_error.h"
 #include "golden/tree/atomic_file.h"
+#include "testbench/invocation.h"
+#include "testbench/version.h"
 
 namespace cbvh::testbench {
 
@@ -49,7 +51,10 @@ void Output::text(const std::string& text) const {
 }
 
 void Output::json(const Json& json) const {
-  if (!json_path_.empty()) write(json_path_, json.dump(2) + '\n');
+  if (json_path_.empty()) return;
+  Json signed_json = json;
+  signed_json["made_by"] = {{"version", kVersion}, {"command_line", command_line()}};
+  write(json_path_, signed_json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 void Output::csv(const std::string& text) const {

@@ -18,7 +18,7 @@ class Output {
   void add_csv_option(const Command& command);
 
   void text(const std::string& text) const;
-  /// Writes the JSON, if it was asked for. `write` names no file: nothing happens.
+  /// Writes the JSON, an object, if it was asked for, and `made_by`: the version and the command line.
   void json(const Json& json) const;
   void csv(const std::string& text) const;  ///< the same for CSV
   bool wants_json() const { return !json_path_.empty(); }

@@ -80,6 +80,11 @@ std::string to_markdown(const Table& table) {
 }
 
 Json to_json(const Table& table) {
+  Json columns = Json::array();
+  for (const Column& column : table.columns) {
+    if (!column.text_only)
+      columns.push_back({{"key", column.key}, {"title", column.title}, {"decimals", column.decimals}});
+  }
   Json rows = Json::array();
   for (const auto& row : table.rows) {
     Json object = Json::object();
@@ -88,7 +93,8 @@ Json to_json(const Table& table) {
     }
     rows.push_back(object);
   }
-  return {{"title", table.title}, {"rows", rows}, {"notes", table.notes}};
+  return {
+      {"title", table.title}, {"labels", table.labels}, {"columns", columns}, {"rows", rows}, {"notes", table.notes}};
 }
 
 std::string to_csv(const Table& table) {

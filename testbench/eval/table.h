@@ -31,7 +31,7 @@ struct Table {
 /// A heading, the table with padded cells, and the notes as a list.
 std::string to_markdown(const Table& table);
 
-/// {title, rows: [{column key: value}], notes}
+/// {title, labels, columns: [{key, title, decimals}], rows: [{column key: value}], notes}
 Json to_json(const Table& table);
 
 /// Lines "table,row,column,value" with one figure each; a row is called by its labels, joined by '/'. No heading line.
