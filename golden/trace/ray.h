@@ -22,6 +22,19 @@ struct Ray {
   float t_max = std::numeric_limits<float>::infinity();
 };
 
+/// A ray in binary64, as the space of an instance sees one. Finite; not all components of the direction are zero.
+struct WideRay {
+  glm::dvec3 origin;
+  glm::dvec3 direction;
+  double t_min;
+  double t_max;
+};
+
+inline WideRay widened(const Ray& ray) {
+  return {glm::dvec3(ray.origin), glm::dvec3(ray.direction), static_cast<double>(ray.t_min),
+          static_cast<double>(ray.t_max)};
+}
+
 /// Throws InputError at `place` for a direction of zeros, a NaN, an infinite origin or direction, or t_min > t_max.
 void check_ray(const Ray& ray, const std::string& place);
 
@@ -38,30 +51,30 @@ struct Interval {
 /// is found through every tree whose boxes enclose the triangle, and the nearest hit does not depend on the tree.
 class PreparedRay {
  public:
-  explicit PreparedRay(const Ray& ray);
+  explicit PreparedRay(const Ray& ray) : PreparedRay(widened(ray)) {}
+  explicit PreparedRay(const WideRay& ray);
 
-  const Ray& ray() const { return ray_; }
+  /// Whether t is between t_min and t_max.
+  bool reaches(double t) const { return ends_.entry <= t && t <= ends_.exit; }
 
-  /// Where the ray is inside the closed box.
-  Interval inside(const Box& box) const {
-    return inside(box, {static_cast<double>(ray_.t_min), static_cast<double>(ray_.t_max)});
-  }
+  /// Where the ray is inside the closed box; of a box that is wider by `slack`, at least 0, on every side.
+  Interval inside(const Box& box, double slack = 0) const { return inside(box, slack, ends_); }
 
   /// Where its line is, whatever t_min and t_max.
   Interval line_inside(const Box& box) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return inside(box, {-kInfinity, kInfinity});
+    return inside(box, 0, {-kInfinity, kInfinity});
   }
 
  private:
   /// 1 / direction, the difference and the product round by 2^-53 each; so does the widening itself.
   static constexpr double kWiden = 0x1p-50;
 
-  Interval inside(const Box& box, Interval result) const {
+  Interval inside(const Box& box, double slack, Interval result) const {
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      const double lower = static_cast<double>(box.lower[axis]) - origin_[a];
-      const double upper = static_cast<double>(box.upper[axis]) - origin_[a];
+      const double lower = static_cast<double>(box.lower[axis]) - origin_[a] - slack;
+      const double upper = static_cast<double>(box.upper[axis]) - origin_[a] + slack;
       if (parallel_[a]) {
         if (lower > 0 || upper < 0) return {1, 0};
         continue;
@@ -74,7 +87,7 @@ class PreparedRay {
     return result;
   }
 
-  Ray ray_;
+  Interval ends_;  ///< t_min and t_max
   std::array<double, 3> origin_;
   std::array<double, 3> inverse_;
   std::array<bool, 3> parallel_;

@@ -82,22 +82,55 @@ class Tracer {
     const PreparedRay prepared(ray);
     const TriangleTest triangle(ray);
     Hit hit;
-    waiting_.clear();
     ++counts_.box_tests;
-    const Interval whole = prepared.inside(view_.root_box());
-    if (whole.empty()) return hit;
+    if (prepared.inside(view_.root_box()).empty()) return hit;
     if (view_.is_leaf()) {
       test_leaf(0, prepared, triangle, stop, hit);
-      return hit;
+    } else {
+      trace_below(view_.root(), prepared, triangle, stop, hit);
     }
-    waiting_.push_back({view_.root(), whole.entry});
+    return hit;
+  }
+
+  /// The same for what lies below an inner node, whatever its own box: a hit that comes before `hit` replaces it.
+  void trace_below(const typename View::Node& node, const PreparedRay& ray, const TriangleTest& triangle, Stop stop,
+                   Hit& hit) {
+    waiting_.assign(1, {node, -std::numeric_limits<double>::infinity()});
     while (!waiting_.empty()) {
       const Waiting next = waiting_.back();
       waiting_.pop_back();
       if (stop != Stop::never && next.entry > hit.t) continue;
-      if (visit(next.node, prepared, triangle, stop, hit)) return hit;
+      if (visit(next.node, ray, triangle, stop, hit)) return;
     }
-    return hit;
+  }
+
+  /// The same for the leaf whose entries start at `first`; true if it ends a ray that stops at any hit.
+  bool test_leaf(std::size_t first, const PreparedRay& ray, const TriangleTest& triangle, Stop stop, Hit& hit) {
+    const std::vector<std::uint32_t>& ids = view_.primitive_ids();
+    for (std::size_t entry = first;; ++entry) {
+      const std::uint32_t id = ids[entry] & ~kLastOfLeaf;
+      if (test_triangle(id, ray, triangle, hit) && stop == Stop::any) return true;
+      if ((ids[entry] & kLastOfLeaf) != 0) return false;
+    }
+  }
+
+  /// The same for a triangle; true if it is the hit now. The hit's t is clamped to where the ray's line is inside the
+  /// triangle's box: then no box around the triangle is left out for a nearer hit (ray.h).
+  bool test_triangle(std::uint32_t id, const PreparedRay& ray, const TriangleTest& triangle, Hit& hit) {
+    ++counts_.triangle_tests;
+    const glm::uvec3& corners = mesh_.triangles[id];
+    const glm::vec3& a = mesh_.positions[corners.x];
+    const glm::vec3& b = mesh_.positions[corners.y];
+    const glm::vec3& c = mesh_.positions[corners.z];
+    const std::optional<double> found = triangle(a, b, c);
+    if (!found) return false;
+    const Interval line = ray.line_inside(triangle_box(a, b, c));
+    if (line.empty()) return false;
+    const double t = std::min(std::max(*found, line.entry), line.exit);
+    if (!ray.reaches(t)) return false;
+    if (t > hit.t || (t == hit.t && id > hit.primitive)) return false;
+    hit = {id, t};
+    return true;
   }
 
   const TraceCounts& counts() const { return counts_; }
@@ -124,34 +157,6 @@ class Tracer {
       if (!opened.leaf[c] && !inside[c].empty()) waiting_.push_back({view_.child(node, opened, c), inside[c].entry});
     }
     return false;
-  }
-
-  bool test_leaf(std::size_t first, const PreparedRay& ray, const TriangleTest& triangle, Stop stop, Hit& hit) {
-    const std::vector<std::uint32_t>& ids = view_.primitive_ids();
-    for (std::size_t entry = first;; ++entry) {
-      const std::uint32_t id = ids[entry] & ~kLastOfLeaf;
-      ++counts_.triangle_tests;
-      if (test_triangle(id, ray, triangle, hit) && stop == Stop::any) return true;
-      if ((ids[entry] & kLastOfLeaf) != 0) return false;
-    }
-  }
-
-  /// The hit's t is clamped to where the ray's line is inside the triangle's box: then no box around the triangle is
-  /// left out for a nearer hit (ray.h).
-  bool test_triangle(std::uint32_t id, const PreparedRay& ray, const TriangleTest& triangle, Hit& hit) const {
-    const glm::uvec3& corners = mesh_.triangles[id];
-    const glm::vec3& a = mesh_.positions[corners.x];
-    const glm::vec3& b = mesh_.positions[corners.y];
-    const glm::vec3& c = mesh_.positions[corners.z];
-    const std::optional<double> found = triangle(a, b, c);
-    if (!found) return false;
-    const Interval line = ray.line_inside(triangle_box(a, b, c));
-    if (line.empty()) return false;
-    const double t = std::min(std::max(*found, line.entry), line.exit);
-    if (t < static_cast<double>(ray.ray().t_min) || t > static_cast<double>(ray.ray().t_max)) return false;
-    if (t > hit.t || (t == hit.t && id > hit.primitive)) return false;
-    hit = {id, t};
-    return true;
   }
 
   View view_;

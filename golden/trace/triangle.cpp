@@ -5,17 +5,15 @@
 
 namespace cbvh::golden {
 
-TriangleTest::TriangleTest(const Ray& ray)
-    : origin_{static_cast<double>(ray.origin.x), static_cast<double>(ray.origin.y), static_cast<double>(ray.origin.z)},
-      axes_{} {
+TriangleTest::TriangleTest(const WideRay& ray) : origin_{ray.origin.x, ray.origin.y, ray.origin.z}, axes_{} {
   int most = 0;
   for (int axis = 1; axis < 3; ++axis) {
     if (std::abs(ray.direction[axis]) > std::abs(ray.direction[most])) most = axis;
   }
   axes_ = {(most + 1) % 3, (most + 2) % 3, most};
-  const auto along = static_cast<double>(ray.direction[most]);
-  shear_x_ = static_cast<double>(ray.direction[axes_[0]]) / along;
-  shear_y_ = static_cast<double>(ray.direction[axes_[1]]) / along;
+  const double along = ray.direction[most];
+  shear_x_ = ray.direction[axes_[0]] / along;
+  shear_y_ = ray.direction[axes_[1]] / along;
   shear_z_ = 1 / along;
 }
 

@@ -16,7 +16,8 @@ namespace cbvh::golden {
 /// swapped vertices is the exact negative, so no ray passes between two triangles that share an edge.
 class TriangleTest {
  public:
-  explicit TriangleTest(const Ray& ray);
+  explicit TriangleTest(const Ray& ray) : TriangleTest(widened(ray)) {}
+  explicit TriangleTest(const WideRay& ray);
 
   /// t of the hit, unclamped; nothing if the ray's line misses the triangle or lies in its plane. Edges and vertices
   /// belong to the triangle.
