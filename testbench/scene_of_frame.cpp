@@ -11,6 +11,10 @@ namespace {
 
 constexpr std::string_view kTime = "{time}";
 
+double time_of_frame(const MovingScene& scene, unsigned frame) {
+  return scene.frames == 1 ? 1 : static_cast<double>(frame) / (scene.frames - 1);
+}
+
 }  // namespace
 
 void check_moving_scene(const MovingScene& scene) {
@@ -20,13 +24,17 @@ void check_moving_scene(const MovingScene& scene) {
     throw golden::InputError("--frames", "nothing moves: want {time} in the scene, or --twist");
 }
 
-golden::Mesh scene_of_frame(const MovingScene& scene, unsigned frame) {
-  const double time = scene.frames == 1 ? 1 : static_cast<double>(frame) / (scene.frames - 1);
+std::string name_of_frame(const MovingScene& scene, unsigned frame) {
   std::string name = scene.scene;
   const std::size_t place = name.find(kTime);
-  if (place != std::string::npos) name.replace(place, kTime.size(), fmt::format("{}", time));
-  golden::Mesh mesh = golden::load_scene(name);
-  return scene.twist == 0 ? mesh : golden::twisted(std::move(mesh), static_cast<float>(scene.twist * time));
+  if (place != std::string::npos) name.replace(place, kTime.size(), fmt::format("{}", time_of_frame(scene, frame)));
+  return name;
+}
+
+golden::Mesh scene_of_frame(const MovingScene& scene, unsigned frame) {
+  golden::Mesh mesh = golden::load_scene(name_of_frame(scene, frame));
+  if (scene.twist == 0) return mesh;
+  return golden::twisted(std::move(mesh), static_cast<float>(scene.twist * time_of_frame(scene, frame)));
 }
 
 }  // namespace cbvh::testbench

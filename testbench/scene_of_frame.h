@@ -17,6 +17,9 @@ struct MovingScene {
 /// Throws InputError unless there is a frame, and something moves if there are several.
 void check_moving_scene(const MovingScene& scene);
 
+/// Its name in a frame, 0 .. frames - 1; of a single frame the last.
+std::string name_of_frame(const MovingScene& scene, unsigned frame);
+
 /// The scene of a frame, 0 .. frames - 1; of a single frame the last. Throws InputError as load_scene does.
 golden::Mesh scene_of_frame(const MovingScene& scene, unsigned frame);
 

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "golden/threads/parallel_for.h"
+#include "testbench/fnv.h"
 
 namespace cbvh::testbench {
 
@@ -25,18 +26,12 @@ Picture trace_picture(const golden::FloatTree& tree, const golden::Mesh& mesh, c
 }
 
 std::uint64_t digest(const Picture& picture) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  const auto add = [&hash](std::uint64_t value) {
-    for (int byte = 0; byte < 8; ++byte) {
-      hash = (hash ^ (value & 0xFFU)) * 0x100000001b3U;
-      value >>= 8;
-    }
-  };
+  Fnv hash;
   for (const golden::Hit& hit : picture.hits) {
-    add(hit.primitive);
-    add(std::bit_cast<std::uint64_t>(hit.t));
+    hash.add(hit.primitive);
+    hash.add(std::bit_cast<std::uint64_t>(hit.t));
   }
-  return hash;
+  return hash.value();
 }
 
 }  // namespace cbvh::testbench

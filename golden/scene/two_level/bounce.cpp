@@ -49,7 +49,7 @@ glm::mat4 rotation(const Quaternion& q, float scale) {
 
 TwoLevelScene make(Mesh mesh, const OptionValues& options) {
   Random random(options.integer("seed"));
-  const float time = options.real("time");
+  const float time = options.real("time") * options.real("speed");
   glm::vec3 lower = mesh.positions.front();
   glm::vec3 upper = lower;
   for (const glm::vec3& p : mesh.positions) {
@@ -91,6 +91,7 @@ TwoLevelKind bounce_kind() {
           {{"count", "how many", 256, 1, 65536},
            {"size", "half the widest extent of an instance before it is turned", 0.1, 0.000001, 100, false},
            {"time", "since the start", 0, 0, 1000, false},
+           {"speed", "by how much more time passes", 1, 0, 1000, false},
            {"seed", "of all that is random", 1, 0, 9007199254740992.0}},
           make};
 }

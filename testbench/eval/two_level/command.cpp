@@ -6,6 +6,7 @@
 #include "golden/build/two_level/top_level.h"
 #include "golden/input_error.h"
 #include "golden/scene/two_level/two_level_scenes.h"
+#include "testbench/eval/two_level/frames.h"
 #include "testbench/eval/two_level/measure.h"
 #include "testbench/eval/two_level/table.h"
 #include "testbench/exit_code.h"
@@ -20,11 +21,47 @@ struct Options {
       .scenes = {"deal,objects=16,chunk=1000:proc:spheres", "deal,objects=84,chunk=20:proc:city",
                  "deal,objects=64,chunk=50:proc:terrain,triangles=50000", "bounce:proc:hairball,triangles=5000"},
       .tops = {"plain", "agglomerative", "rebraid", "rebraid,width=4", "rebraid,open=leaves", "rebraid,order=cost"}};
+  unsigned frames = 0;
+  PictureSize picture;
   Output output;
 };
 
+int report(const Options& options, const std::vector<Table>& tables, std::uint64_t checks,
+           const std::vector<std::string>& failures) {
+  std::string text;
+  std::string csv = kCsvHeading;
+  Json json = Json::object();
+  for (const Table& table : tables) {
+    if (table.in_text) text += to_markdown(table);
+    csv += to_csv(table);
+    json[table.key] = to_json(table);
+  }
+  for (const std::string& failure : failures) text += fmt::format("FAILED: {}\n", failure);
+  text += fmt::format("{} checks passed, {} failed\n", checks - failures.size(), failures.size());
+  options.output.text(text);
+  options.output.csv(csv);
+  options.output.json({{"checks", checks}, {"failures", failures}, {"tables", json}});
+  return failures.empty() && checks > 0 ? kPass : kMismatch;
+}
+
+int run_frames(const Options& options) {
+  const std::vector<FramesMeasure> measures = measure_frames(options.job, options.frames, options.picture);
+  std::uint64_t checks = 0;
+  std::vector<std::string> failures;
+  for (const FramesMeasure& measure : measures) {
+    checks += measure.frames.size();
+    for (const FrameMeasure& frame : measure.frames) {
+      if (!frame.same_picture)
+        failures.push_back(fmt::format("{}, {} over {} trees, frame {}: the picture is not that of the first top level",
+                                       measure.scene, measure.top, measure.objects, frame.frame));
+    }
+  }
+  return report(options, {frames_table(measures), every_frame_table(measures)}, checks, failures);
+}
+
 int run(const Options& options) {
   if (options.job.repeats == 0) throw golden::InputError("--repeats", "found 0, want 1 or more");
+  if (options.frames > 0) return run_frames(options);
   const std::vector<TopLevelMeasure> measures = measure_two_level(options.job);
   std::uint64_t checks = 0;
   std::vector<std::string> failures;
@@ -32,14 +69,7 @@ int run(const Options& options) {
     checks += measure.checks;
     failures.insert(failures.end(), measure.failures.begin(), measure.failures.end());
   }
-  const Table table = two_level_table(measures);
-  std::string text = to_markdown(table);
-  for (const std::string& failure : failures) text += fmt::format("FAILED: {}\n", failure);
-  text += fmt::format("{} checks passed, {} failed\n", checks - failures.size(), failures.size());
-  options.output.text(text);
-  options.output.csv(kCsvHeading + to_csv(table));
-  options.output.json({{"checks", checks}, {"failures", failures}, {"tables", {{table.key, to_json(table)}}}});
-  return failures.empty() && checks > 0 ? kPass : kMismatch;
+  return report(options, {two_level_table(measures)}, checks, failures);
 }
 
 }  // namespace
@@ -61,6 +91,12 @@ void add_two_level_evaluation(const Command& eval, const std::shared_ptr<std::fu
       .capture_default_str();
   command.add_option("--repeats", options->job.repeats, "build so often, the fastest counts").capture_default_str();
   command.add_option("--most-single", options->job.most_single, "no single tree of more triangles")
+      .capture_default_str();
+  command.add_option("--frames", options->frames,
+                     "build and trace every top level in so many frames, in which {time} in a scene goes from 0 to 1");
+  command.add_option("--width", options->picture.width, "of a frame's picture, pixels").capture_default_str();
+  command.add_option("--height", options->picture.height, "of a frame's picture, pixels").capture_default_str();
+  command.add_option("--threads", options->picture.threads, "that trace a picture; builds have an option of their own")
       .capture_default_str();
   command.footer("Scenes:\n" + golden::two_level_help() + "Top levels:\n" + golden::top_level_help());
   options->output.add_option(command);

@@ -10,12 +10,12 @@
 #include "golden/build/node_tree.h"
 #include "golden/build/two_level/faults.h"
 #include "golden/build/two_level/two_level_sah.h"
-#include "golden/quantize/scale.h"
 #include "golden/scene/two_level/two_level_scenes.h"
 #include "golden/tree/decode.h"
 #include "golden/tree/validate.h"
 #include "golden/update/streaming.h"
 #include "golden/update/top_down.h"
+#include "testbench/eval/two_level/forest.h"
 #include "testbench/progress.h"
 #include "testbench/rtl/stream_tree.h"
 
@@ -25,36 +25,6 @@ namespace {
 
 using golden::Code;
 
-golden::GridRules rules_of(const golden::FloatTree& tree) {
-  return {.min_scale = golden::exactness_limit(tree.largest_magnitude)};
-}
-
-/// A scene with the trees of its objects.
-struct Forest {
-  Forest(golden::TwoLevelScene from, const golden::Builder& builder) : scene(std::move(from)) {
-    for (const golden::Mesh& object : scene.objects) {
-      floats.push_back(builder.build(object));
-      compressed.push_back(golden::compress_top_down(floats.back(), rules_of(floats.back()), Code::modulo));
-      pairs += floats.back().pairs.size();
-    }
-    float_trees.scene = compressed_trees.scene = &scene;
-    for (const golden::FloatTree& tree : floats) float_trees.trees.push_back(golden::object_tree(tree));
-    for (const golden::CompressedTree& tree : compressed)
-      compressed_trees.trees.push_back(golden::object_tree(tree, scene.name));
-    world = golden::world_of(float_trees);
-  }
-  Forest(const Forest&) = delete;
-  Forest& operator=(const Forest&) = delete;
-
-  golden::TwoLevelScene scene;
-  std::vector<golden::FloatTree> floats;
-  std::vector<golden::CompressedTree> compressed;
-  golden::InstancedTrees float_trees{};
-  golden::InstancedTrees compressed_trees{};
-  golden::Box world{};
-  std::uint64_t pairs = 0;
-};
-
 /// One top level while it is measured.
 class Measuring {
  public:
@@ -63,16 +33,14 @@ class Measuring {
     result_.scene = forest.scene.name;
     result_.top = builder.text();
     result_.objects = compressed ? "compressed" : "float";
-    for (unsigned i = 0; i < repeats; ++i) {
-      const auto start = std::chrono::steady_clock::now();
-      top_ = builder.build(trees_);
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      result_.build_seconds = i == 0 ? seconds : std::min(seconds, result_.build_seconds);
-    }
+    result_.build_seconds = fastest_build(builder, trees_, repeats, top_);
     result_.triangles = golden::instanced_triangles(forest.scene);
     result_.instances = forest.scene.instances.size();
     result_.references = top_.references.size();
     result_.object_pairs = forest.pairs;
+    result_.objects_seconds = forest.build_seconds;
+    result_.transformed = std::any_of(forest.scene.instances.begin(), forest.scene.instances.end(),
+                                      [](const auto& placed) { return !golden::is_identity(placed.to_world); });
     result_.pairs = top_.tree.pairs.size();
     result_.depth = golden::depth(top_.tree);
     result_.sah = golden::two_level_sah(top_, trees_, world_);
@@ -123,11 +91,19 @@ class Measuring {
   TopLevelMeasure result_;
 };
 
-/// SAH of a single tree over all triangles, relative to the same box.
-double single_sah(const Forest& forest, const golden::Builder& builder) {
-  const golden::FloatTree tree = builder.build(golden::flatten(forest.scene));
+/// A single tree over all triangles.
+struct Single {
+  double sah;  ///< relative to the same box
+  double seconds;
+};
+
+Single build_single(const Forest& forest, const golden::Builder& builder) {
+  const golden::Mesh mesh = golden::flatten(forest.scene);
+  const auto start = std::chrono::steady_clock::now();
+  const golden::FloatTree tree = builder.build(mesh);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const double world = golden::half_area(forest.world);
-  return golden::sah(tree) * (world > 0 ? golden::half_area(tree.scene) / world : 1.0);
+  return {golden::sah(tree) * (world > 0 ? golden::half_area(tree.scene) / world : 1.0), seconds};
 }
 
 }  // namespace
@@ -142,15 +118,18 @@ std::vector<TopLevelMeasure> measure_two_level(const TwoLevelJob& job) {
   Progress progress("eval two-level", scenes.size() * (1 + tops.size() * 2));
   for (golden::TwoLevelScene& scene : scenes) {
     const Forest forest(std::move(scene), objects);
-    std::optional<double> single;
-    if (golden::instanced_triangles(forest.scene) <= job.most_single) single = single_sah(forest, objects);
+    std::optional<Single> single;
+    if (golden::instanced_triangles(forest.scene) <= job.most_single) single = build_single(forest, objects);
     progress.step();
     for (const golden::TopLevelBuilder& top : tops) {
       for (const bool compressed : {false, true}) {
         Measuring measuring(forest, compressed, top, job.repeats);
         for (const Code code : {Code::relative, Code::modulo}) measuring.compress(code);
         results.push_back(std::move(measuring).result());
-        results.back().sah_single = single;
+        if (single) {
+          results.back().sah_single = single->sah;
+          results.back().single_seconds = single->seconds;
+        }
         progress.step();
       }
     }

@@ -22,10 +22,13 @@ struct TopLevelMeasure {
   std::uint64_t pairs = 0;           ///< of the top level
   int depth = 0;                     ///< of the top level
   double build_seconds = 0;          ///< of the top level
+  double objects_seconds = 0;        ///< to build the objects' float trees
   double sah = 0;                    ///< of both levels, C_T = C_I = 1, relative to the box around all instances
   double sah_compressed = 0;         ///< the same with the top level's decoded boxes; N = 6, e_min the exactness limit
   std::optional<double> sah_single;  ///< of one tree over all triangles, by the objects' builder
-  CodeCounts modulo;                 ///< of streaming the top level
+  std::optional<double> single_seconds;
+  bool transformed = false;  ///< the instances are, at least one of them
+  CodeCounts modulo;         ///< of streaming the top level
   std::uint64_t checks = 0;
   std::vector<std::string> failures;
 };

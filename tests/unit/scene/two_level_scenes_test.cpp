@@ -90,6 +90,13 @@ TEST(TwoLevelScenes, bouncing_instances_move_and_turn_without_jumps) {
   EXPECT_GT(travelled, 50 * 8.0);
 }
 
+TEST(TwoLevelScenes, at_twice_the_speed_instances_are_where_they_are_at_twice_the_time) {
+  const TwoLevelScene faster = load_two_level_scene("bounce,count=50,time=0.75,speed=6:proc:soup,triangles=10");
+  const TwoLevelScene later = load_two_level_scene("bounce,count=50,time=4.5:proc:soup,triangles=10");
+  for (std::size_t i = 0; i < later.instances.size(); ++i)
+    EXPECT_EQ(faster.instances[i].to_world, later.instances[i].to_world) << i;
+}
+
 TEST(TwoLevelScenes, dealt_objects_have_every_triangle_once_in_turns_of_a_chunk) {
   const Mesh mesh = load_scene("proc:terrain,triangles=1000");
   for (const std::size_t objects : {1U, 3U, 16U, 5000U}) {
