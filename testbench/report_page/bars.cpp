@@ -14,8 +14,8 @@ namespace cbvh::testbench {
 namespace {
 
 constexpr double kWidth = 760;
-constexpr double kLeft = 190;
-constexpr double kRight = kWidth - 74;  ///< the totals stand beyond
+constexpr double kLeft = 214;
+constexpr double kRight = kWidth - 110;  ///< the totals stand beyond
 constexpr double kRow = 21;
 constexpr double kBar = 14;
 constexpr double kGroup = 28;
@@ -72,11 +72,12 @@ Markup legend(const BarChart& chart, unsigned number) {
   };
   for (std::size_t i = 0; i < chart.parts.size(); ++i)
     add(rectangle(5, 0, 24, 14, {{"fill", fill(number, i)}}), chart.parts[i]);
-  if (!chart.reference.empty()) add(reference_mark(17, 7, ""), chart.reference);
+  if (!chart.reference.empty()) add(reference_mark(17, 7, ""), chart.reference + ", in brackets");
   return element("ul", {{"class", "legend"}}, items);
 }
 
-/// A bar with its name before and its total behind it. Reference marks may lie beyond its end.
+/// A bar with its name before it and its total behind it; at the edge, with the reference in brackets, when there is
+/// one.
 Markup draw_bar(const BarChart& chart, const Bar& bar, const Scale& x, double top, unsigned number) {
   const double middle = top + kRow / 2;
   const std::string full_name = bar.group.empty() ? bar.name : bar.group + ", " + bar.name;
@@ -90,14 +91,13 @@ Markup draw_bar(const BarChart& chart, const Bar& bar, const Scale& x, double to
         rectangle(from, middle - kBar / 2, x.place(sum) - from, kBar, {{"fill", fill(number, i)}},
                   element("title", fmt::format("{}: {} {}", full_name, chart.parts[i], figure_text(bar.parts[i]))));
   }
-  double end = x.place(sum);
-  if (bar.reference) {
-    const double at = x.place(*bar.reference);
-    content +=
-        reference_mark(at, middle, fmt::format("{}: {} {}", full_name, chart.reference, figure_text(*bar.reference)));
-    if (at > end - 4) end = std::max(end, at + 5);
+  if (!bar.reference) {
+    content += label(x.place(sum) + 7, middle + 4, Anchor::start, fmt::format("{:.4g}", sum), "value");
+    return element("g", Attributes{}, content);
   }
-  content += label(end + 7, middle + 4, Anchor::start, fmt::format("{:.4g}", sum), "value");
+  const std::string reference = fmt::format("{}: {} {}", full_name, chart.reference, figure_text(*bar.reference));
+  content += reference_mark(x.place(*bar.reference), middle, reference);
+  content += label(kWidth, middle + 4, Anchor::end, fmt::format("{:.3g} ({:.3g})", sum, *bar.reference), "value");
   return element("g", Attributes{}, content);
 }
 

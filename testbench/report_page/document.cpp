@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "testbench/report_page/style.h"
+#include "testbench/report_page/table.h"
 #include "testbench/report_page/unit_matrix.h"
 #include "testbench/version.h"
 
@@ -52,7 +53,7 @@ std::string file_name(const std::string& place) { return std::filesystem::path(p
 
 Markup number_of(const std::string& name, std::uint64_t value) {
   Markup item = element("dt", name);
-  item += element("dd", fmt::format("{}", value));
+  item += element("dd", count_text(value));
   return element("div", Attributes{}, item);
 }
 
@@ -110,7 +111,7 @@ Markup file_row(const Result& result) {
   line += element("td", result.kind.name);
   line += element("td", {{"class", verdict.css_class}}, fmt::format("{} {}", verdict.mark, verdict.text));
   for (const std::uint64_t value : {tally.passed, tally.failed, tally.skipped})
-    line += element("td", {{"class", "number"}}, std::to_string(value));
+    line += element("td", {{"class", "number"}}, count_text(value));
   line += element("td", result.version);
   line += element("td", Attributes{}, element("code", result.command_line));
   return element("tr", Attributes{}, line);

@@ -12,6 +12,7 @@ namespace cbvh::testbench {
 
 namespace {
 
+constexpr double kLoneMark = 1.5;       ///< size of a mark that no line joins to others
 constexpr std::size_t kMostMarks = 40;  ///< of a joined series; more would hide its line
 
 /// The inside of a plot, between its axes.
@@ -39,12 +40,13 @@ std::string mark_path(std::size_t style) {
 
 std::string style_class(std::size_t series) { return fmt::format("s{}", series % kSeriesStyles); }
 
-Markup mark(std::size_t series, double x, double y, const std::string& meaning) {
-  return element("path",
-                 {{"class", style_class(series) + " mark"},
-                  {"d", mark_path(series % kSeriesStyles)},
-                  {"transform", fmt::format("translate({} {})", coordinate(x), coordinate(y))}},
-                 meaning.empty() ? Markup() : element("title", meaning));
+Markup mark(std::size_t series, double x, double y, double size, const std::string& meaning) {
+  return element(
+      "path",
+      {{"class", style_class(series) + " mark"},
+       {"d", mark_path(series % kSeriesStyles)},
+       {"transform", fmt::format("translate({} {}) scale({})", coordinate(x), coordinate(y), coordinate(size))}},
+      meaning.empty() ? Markup() : element("title", meaning));
 }
 
 Markup legend(const Plot& plot) {
@@ -52,7 +54,7 @@ Markup legend(const Plot& plot) {
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     Markup sample;
     if (plot.joined) sample += line(0, 7, 34, 7, style_class(i) + " line");
-    sample += mark(i, 17, 7, "");
+    sample += mark(i, 17, 7, 1.2, "");
     Markup item = element("svg", {{"class", "sample"}, {"viewBox", "0 0 34 14"}, {"aria-hidden", "true"}}, sample);
     item += Markup::text(plot.series[i].name);
     items += element("li", Attributes{}, item);
@@ -115,7 +117,8 @@ Markup draw_series(const Plot& plot, std::size_t index, const Scale& x, const Sc
   const std::size_t stride = plot.joined ? (series.points.size() + kMostMarks - 1) / kMostMarks : 1;
   for (std::size_t i = 0; i < series.points.size(); i += stride) {
     const Point& point = series.points[i];
-    markup += mark(index, x.place(point.x), y.place(point.y), meaning(plot, series, point));
+    markup +=
+        mark(index, x.place(point.x), y.place(point.y), plot.joined ? 1 : kLoneMark, meaning(plot, series, point));
   }
   return markup;
 }
@@ -160,7 +163,7 @@ void add_table(const Plot& plot, Drawing& drawing) {
 Markup draw(const Plot& wanted, Figures& figures) {
   const Plot plot = drawable(wanted);
   if (plot.series.empty()) return {};
-  Drawing drawing{plot.small ? 380.0 : 760.0, plot.small ? 250.0 : 340.0, {}, {}, {}, {}};
+  Drawing drawing{plot.small ? 310.0 : 760.0, plot.small ? 220.0 : 340.0, {}, {}, {}, {}};
   const Area area{66, drawing.width - 18, 14, drawing.height - 50};
   const Scale x(plot.x, values(plot, &Point::x), area.left + 12, area.right - 12);
   const Scale y(plot.y, values(plot, &Point::y), area.bottom, area.top);

@@ -27,7 +27,7 @@ double step_of(double value) {
 
 Scale::Scale(const Axis& axis, const std::vector<double>& values, double begin, double end) : begin_(begin), end_(end) {
   if (values.empty()) {
-    fit_linear(0, 1, true);
+    fit_linear(0, 1, axis);
     return;
   }
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -38,21 +38,22 @@ Scale::Scale(const Axis& axis, const std::vector<double>& values, double begin, 
   if (axis.logarithmic && *least >= 0 && *most > 0) {
     fit_logarithmic(least_positive, *most, *least == 0);
   } else {
-    fit_linear(*least, *most, axis.from_zero);
+    fit_linear(*least, *most, axis);
   }
 }
 
-void Scale::fit_linear(double least, double most, bool from_zero) {
-  if (from_zero) {
+void Scale::fit_linear(double least, double most, const Axis& axis) {
+  if (axis.from_zero) {
     least = std::min(least, 0.0);
     most = std::max(most, 0.0);
   }
   if (least == most) {
     const double margin = least == 0 ? 1 : std::abs(least) / 2;
     most += margin;
-    if (!from_zero || least != 0) least -= margin;
+    if (!axis.from_zero || least != 0) least -= margin;
   }
-  const double step = step_of((most - least) / (kMostTicks - 1));
+  const double finest = axis.whole ? 1 : 0;
+  const double step = step_of(std::max((most - least) / (kMostTicks - 1), finest));
   const double first = std::floor(least / step + 1e-9);
   const double last = std::ceil(most / step - 1e-9);
   for (double i = first; i <= last; ++i) ticks_.push_back(i * step);

@@ -11,6 +11,7 @@ struct Axis {
   std::string label;         ///< with the unit
   bool logarithmic = false;  ///< 0 stands below all other values; anything negative makes the axis linear
   bool from_zero = false;    ///< a linear axis begins at 0: lengths can be compared
+  bool whole = false;        ///< a linear axis has ticks at whole numbers only
 };
 
 /// Where values stand along an axis of a plot, in the units of the drawing, and where its ticks are.
@@ -25,7 +26,7 @@ class Scale {
   const std::vector<double>& ticks() const { return ticks_; }
 
  private:
-  void fit_linear(double least, double most, bool from_zero);
+  void fit_linear(double least, double most, const Axis& axis);
   void fit_logarithmic(double least, double most, bool zero);
 
   std::vector<double> ticks_;

@@ -20,7 +20,7 @@ const char* const kReportStyle = R"(
 }
 * { box-sizing: border-box; }
 html { background: var(--paper); color: var(--ink); font: 16px/1.5 system-ui, "Segoe UI", "DejaVu Sans", Arial, sans-serif; }
-body { max-width: 66rem; margin: 0 auto; padding: 2rem 1.25rem 4rem; }
+body { max-width: 70rem; margin: 0 auto; padding: 2rem 1.25rem 4rem; }
 h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .25rem; letter-spacing: -.01em; }
 h2 { font-size: 1.4rem; margin: 3rem 0 1rem; padding-bottom: .35rem; border-bottom: 2px solid var(--rule); }
 h3 { font-size: 1.05rem; margin: 2rem 0 .6rem; overflow-wrap: anywhere; }
@@ -43,11 +43,13 @@ code { font: .85em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monosp
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; margin: .25rem 0; }
 caption { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
-th, td { padding: .3rem .7rem; text-align: left; vertical-align: top; border-bottom: 1px solid var(--rule); font-weight: normal; }
+th, td { padding: .3rem .55rem; text-align: left; vertical-align: top; border-bottom: 1px solid var(--rule); font-weight: normal; }
 thead th { font-weight: 650; color: var(--soft); vertical-align: bottom; border-bottom: 2px solid var(--rule); }
 th.number, td.number { text-align: right; white-space: nowrap; }
-tbody tr:hover { background: var(--panel); }
+tbody th { position: sticky; left: 0; background: var(--paper); } figure tbody th { background: var(--panel); }
+tbody tr:hover th, tbody tr:hover { background: var(--panel); }
 .paper, tr.paper th, tr.paper td { color: var(--soft); font-style: italic; }
+td.prose { min-width: 18rem; } .matrix { margin-bottom: 1.5rem; }
 table.files code { color: var(--ink); }
 .notes { margin: .5rem 0; padding-left: 1.2rem; color: var(--soft); font-size: .85rem; }
 .failures { color: var(--bad); font-weight: 650; }
@@ -64,7 +66,8 @@ details { font-size: .85rem; margin-top: .3rem; }
 summary { cursor: pointer; color: var(--soft); }
 svg text { fill: var(--soft); font-size: 12px; font-family: inherit; }
 svg .label { fill: var(--ink); } svg .value { fill: var(--ink); font-variant-numeric: tabular-nums; }
-svg .group { fill: var(--ink); font-weight: 650; font-size: 12.5px; }
+svg .group { fill: var(--ink); font-weight: 650; font-size: 12.5px; stroke: var(--panel); stroke-width: 4px; paint-order: stroke; }
+svg .value { stroke: var(--panel); stroke-width: 3px; paint-order: stroke; }
 .grid { stroke: var(--grid); stroke-width: 1; } .axis { stroke: var(--soft); stroke-width: 1; }
 .hatch { stroke: var(--hatch); stroke-width: 1; stroke-opacity: .55; fill: none; }
 .reference { fill: var(--ink); stroke: var(--panel); stroke-width: 1.2; }

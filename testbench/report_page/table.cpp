@@ -10,6 +10,7 @@ namespace cbvh::testbench {
 namespace {
 
 constexpr std::size_t kLongTable = 30;  ///< rows
+constexpr std::size_t kProse = 32;      ///< characters; longer cells get room
 
 bool is_number(const std::string& text) {
   return text == "-" || (!text.empty() && text.find_first_not_of("0123456789.,+-e%") == std::string::npos);
@@ -39,8 +40,9 @@ Markup table_of(const std::string& caption, const Cells& cells) {
     Markup line;
     for (std::size_t i = 0; i < count; ++i) {
       const std::string& text = cells.rows[r][i];
-      line += i == 0 ? element("th", {{"scope", "row"}, {"class", cell_class(i)}}, text)
-                     : element("td", {{"class", cell_class(i)}}, text);
+      const std::string css_class = cell_class(i) + (text.size() > kProse ? " prose" : "");
+      line += i == 0 ? element("th", {{"scope", "row"}, {"class", css_class}}, text)
+                     : element("td", {{"class", css_class}}, text);
     }
     const bool paper = !cells.row_from_paper.empty() && cells.row_from_paper[r];
     body += element("tr", paper ? Attributes{{"class", "paper"}} : Attributes{}, line);
@@ -74,6 +76,12 @@ std::string cell_text(const Json& cell, int decimals) {
   if (cell.is_string()) return cell.get<std::string>();
   if (cell.is_number_float()) return fmt::format("{:.{}f}", cell.get<double>(), std::clamp(decimals, 0, 20));
   return cell.dump();
+}
+
+std::string count_text(std::uint64_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, 1, ',');
+  return text;
 }
 
 Markup plain_table(const std::string& caption, const std::vector<std::string>& headings,

@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ Markup plain_table(const std::string& caption, const std::vector<std::string>& h
 /// paper's own figures are set apart; long tables unfold. Throws nlohmann::json::exception when the JSON is not such a
 /// table.
 Markup result_table(const Json& table);
+
+/// With commas between thousands.
+std::string count_text(std::uint64_t count);
 
 /// A cell as the text has it: numbers that are not integers with `decimals`, "-" for null.
 std::string cell_text(const Json& cell, int decimals);

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "testbench/report_page/table.h"
+
 namespace cbvh::testbench {
 
 namespace {
@@ -49,9 +51,9 @@ Matrix matrix_of(const std::vector<Result>& results) {
 Markup cell_of(const Cell& cell) {
   if (cell.failures != 0)
     return element("td", {{"class", "number failed"}},
-                   fmt::format("\u2717 {} of {} failed", cell.failures, cell.checks));
+                   fmt::format("\u2717 {} of {} failed", count_text(cell.failures), count_text(cell.checks)));
   if (cell.checks == 0) return element("td", {{"class", "number none"}}, "\u2013 not checked");
-  return element("td", {{"class", "number passed"}}, fmt::format("\u2713 {}", cell.checks));
+  return element("td", {{"class", "number passed"}}, "\u2713 " + count_text(cell.checks));
 }
 
 }  // namespace
@@ -72,7 +74,7 @@ Markup unit_matrix(const std::vector<Result>& results) {
   Markup content = element("caption", "Checks of each unit on each backend");
   content += element("thead", Attributes{}, element("tr", Attributes{}, head));
   content += element("tbody", Attributes{}, body);
-  return element("div", {{"class", "scroll"}}, element("table", Attributes{}, content));
+  return element("div", {{"class", "scroll matrix"}}, element("table", Attributes{}, content));
 }
 
 }  // namespace cbvh::testbench

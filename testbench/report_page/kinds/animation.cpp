@@ -31,7 +31,7 @@ Tally tally(const Json& json) {
 }
 
 Plot plot_of(const Json& json, const std::string& title, const Axis& y, double (*value)(const Json&)) {
-  Plot plot{title, {"frame", false, false}, y, {}};
+  Plot plot{title, {"frame", false, false, true}, y, {}};
   for (const auto& [policy, frames] : json.at("policies").items()) {
     Series series{policy, {}};
     for (const Json& frame : frames) series.points.push_back({static_cast<double>(series.points.size()), value(frame)});

@@ -33,8 +33,9 @@ Markup show(const Json& json, Figures& figures) {
   for (const Json& backtracks : json.at("backtrack_depth_histogram"))
     series.points.push_back({static_cast<double>(series.points.size()), backtracks.get<double>()});
   if (!series.points.empty()) series.points.erase(series.points.begin());  // depth 0 is no backtrack
-  markup += draw(Plot{"Depth of backtracks", {"depth, levels", false, false}, {"backtracks", true, false}, {series}},
-                 figures);
+  markup +=
+      draw(Plot{"Depth of backtracks", {"depth, levels", false, false, true}, {"backtracks", true, false}, {series}},
+           figures);
   Markup details = element("summary", "all facts");
   details += facts(json);
   markup += element("details", {{"class", "long"}}, details);

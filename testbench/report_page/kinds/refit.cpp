@@ -27,8 +27,8 @@ Markup show(const Json& json, Figures& figures) {
   for (const Json& frame : frames)
     series.points.push_back({static_cast<double>(series.points.size()), frame.at("milliseconds").get<double>()});
   if (frames.size() > 1)
-    markup +=
-        draw(Plot{"Refit times", {"frame", false, false}, {"refit, ms at its clock", false, true}, {series}}, figures);
+    markup += draw(
+        Plot{"Refit times", {"frame", false, false, true}, {"refit, ms at its clock", false, true}, {series}}, figures);
   return markup;
 }
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "testbench/report_page/bars.h"
 #include "testbench/report_page/plot.h"
@@ -91,7 +93,12 @@ Markup draw_figure7(const Json& tables, Figures& figures) {
   for (const Json& row : rows(tables, "figure7")) {
     const std::string title = text(row, "scene");
     if (plots.empty() || plots.back().title != title)
-      plots.push_back({title, {"depth, levels"}, {"backtracks", true}, {{"relative", {}}, {"modulo", {}}}, true, true});
+      plots.push_back({title,
+                       {"depth, levels", false, false, true},
+                       {"backtracks", true},
+                       {{"relative", {}}, {"modulo", {}}},
+                       true,
+                       true});
     for (Series& series : plots.back().series)
       series.points.push_back({number(row, "depth").value_or(0), number(row, series.name).value_or(0)});
   }
@@ -112,7 +119,7 @@ std::optional<double> exponent(const Json& row) {
 
 Plot figure10_plot(const Json& tables, const std::string& title, const Axis& y,
                    const std::vector<std::array<std::string, 2>>& columns) {
-  Plot plot{title, {"minimum scale, e_min"}, y, {}};
+  Plot plot{title, {"minimum scale, e_min", false, false, true}, y, {}};
   for (const auto& [key, name] : columns) {
     Series series{name, {}};
     for (const Json& row : rows(tables, "figure10")) {
@@ -149,16 +156,16 @@ Markup draw_builders(const Json& tables, Figures& figures) {
                  "bytes over those of a float tree compressed top-down afterwards",
                  {"streaming, modulo codes, D = 4"},
                  {}};
-  std::map<std::string, double> sah;
+  std::map<std::pair<std::string, std::string>, double> sah;
   for (const Json& row : rows(tables, "builder_trees"))
-    sah[text(row, "scene") + '\n' + text(row, "builder")] = number(row, "sah_of_first").value_or(0);
+    sah[{text(row, "scene"), text(row, "builder")}] = number(row, "sah_of_first").value_or(0);
   for (const Json& row : rows(tables, "builder_compression")) {
     const std::string scene = text(row, "scene");
     const std::string builder = text(row, "builder");
     const auto traffic = number(row, "build_traffic_ratio");
     if (!traffic) continue;
     chart.bars.push_back({scene, builder, {*traffic}});
-    if (const auto found = sah.find(scene + '\n' + builder); found != sah.end())
+    if (const auto found = sah.find({scene, builder}); found != sah.end())
       series_of(plot.series, builder).points.push_back({found->second, *traffic, scene});
   }
   Markup markup = draw(plot, figures);
@@ -170,8 +177,7 @@ Markup draw_two_level(const Json& tables, Figures& figures) {
   BarChart chart{"Top levels over instances", "SAH of both levels", {"SAH"}, {}};
   for (const Json& row : rows(tables, "two_level")) {
     if (const auto sah = number(row, "sah"))
-      chart.bars.push_back(
-          {fmt::format("{}, {} trees", text(row, "scene"), text(row, "objects")), text(row, "top"), {*sah}});
+      chart.bars.push_back({text(row, "scene"), fmt::format("{}, {}", text(row, "top"), text(row, "objects")), {*sah}});
   }
   return draw(chart, figures);
 }
@@ -179,16 +185,16 @@ Markup draw_two_level(const Json& tables, Figures& figures) {
 }  // namespace
 
 Markup draw_table(const std::string& key, const Json& tables, Figures& figures) {
-  static const std::map<std::string, Draw*> kDrawings = {{"figure1", draw_figure1},
-                                                         {"table1", draw_table1},
-                                                         {"table2", draw_table2},
-                                                         {"figure11", draw_figure11},
-                                                         {"figure7", draw_figure7},
-                                                         {"figure10", draw_figure10},
-                                                         {"builder_compression", draw_builders},
-                                                         {"two_level", draw_two_level}};
-  const auto found = kDrawings.find(key);
-  return found == kDrawings.end() ? Markup() : found->second(tables, figures);
+  static const std::map<std::string, Draw*> drawings = {{"figure1", draw_figure1},
+                                                        {"table1", draw_table1},
+                                                        {"table2", draw_table2},
+                                                        {"figure11", draw_figure11},
+                                                        {"figure7", draw_figure7},
+                                                        {"figure10", draw_figure10},
+                                                        {"builder_compression", draw_builders},
+                                                        {"two_level", draw_two_level}};
+  const auto found = drawings.find(key);
+  return found == drawings.end() ? Markup() : found->second(tables, figures);
 }
 
 }  // namespace cbvh::testbench

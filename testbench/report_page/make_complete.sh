@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+# make_complete.sh CBVH FOLDER [SCENE ...]: runs the commands of a complete report with that cbvh, their results in FOLDER, and makes
+# FOLDER/report.html of them and of every picture there. Without scenes, built-in ones. Exit code: the report's.
+set -euo pipefail
+(($# >= 2)) || { echo "make_complete.sh CBVH FOLDER [SCENE ...]" >&2; exit 2; }
+cbvh=$(realpath "$1")
+folder=$2
+shift 2
+scenes=("$@")
+((${#scenes[@]} > 0)) || scenes=(proc:cloth proc:spheres proc:terrain proc:hairball proc:city proc:explode)
+mkdir -p "$folder"
+# made NAME ARGUMENT...: a mismatch is the report's to show.
+made() {
+  local name=$1 code=0
+  shift
+  echo "cbvh $*"
+  "$cbvh" "$@" --json "$folder/$name.json" >/dev/null || code=$?
+  ((code <= 1)) || exit "$code"
+}
+made 01_units units
+made 02_regress regress --suite smoke
+made 03_eval eval "${scenes[@]}"
+made 04_builders eval builders "${scenes[@]}"
+made 05_two_level eval two-level
+made 06_build build "${scenes[0]}"
+made 07_sim sim "${scenes[0]}"
+made 08_refit refit "${scenes[0]}" "${scenes[0]}" --twist 0.2 --frames 4
+made 09_animate animate 'proc:explode,time={time}'
+made 10_bench bench
+shopt -s nullglob
+exec "$cbvh" report "$folder"/*.json "$folder"/*.png -o "$folder/report.html"
