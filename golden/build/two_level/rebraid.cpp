@@ -40,7 +40,7 @@ class Rebraid {
     tree_.nodes.resize(2 * std::size_t{places} - 1);
     tree_.references.resize(places);
     std::iota(tree_.references.begin(), tree_.references.end(), 0);
-    const Segment whole{0, count, places, 0, limits_.depth, places > count};
+    const Segment whole{0, count, places, 0, limits_.depth, places > count, bounds(0, count)};
     run_segments(whole, options.threads, [this] {
       return [this, scratch = Scratch()](const Segment& segment) mutable { return build(segment, scratch); };
     });
@@ -62,19 +62,21 @@ class Rebraid {
 
   /// A leaf, or an inner node and its two segments.
   std::optional<std::array<Segment, 2>> build(Segment segment, Scratch& scratch) {
-    if (observer_) observer_(segment);
+    if (observer_) observer_(segment, references(segment.first, segment.last));
     if (segment.count() == 1) {
       tree_.nodes[segment.node] = {narrowed(array_[segment.first].bounds), segment.first, 1};
       return std::nullopt;
     }
-    if (segment.opening) {
-      const WideBox box = bounds(segment.first, segment.last);
-      segment.opening = !options_.rule.ends(references(segment.first, segment.last), box);
-      if (segment.opening) open(segment, box, scratch);
+    if (segment.opening && !options_.rule.ends(references(segment.first, segment.last), segment.bounds)) {
+      open(segment, scratch);
+    } else {
+      segment.opening = false;
     }
+    segment.opening = segment.opening && segment.space() > 0;
     const std::uint32_t middle = segment.first + partition(segment);
-    std::array<Segment, 2> halves{Segment{segment.first, middle, middle, 0, segment.levels - 1, segment.opening},
-                                  Segment{middle, segment.last, segment.end, 0, segment.levels - 1, segment.opening}};
+    std::array<Segment, 2> halves{
+        Segment{segment.first, middle, middle, 0, segment.levels - 1, segment.opening, {}},
+        Segment{middle, segment.last, segment.end, 0, segment.levels - 1, segment.opening, {}}};
     if (segment.opening) share_space(halves);
     // Each border between two segments is a border once: nodes 2b - 1 and 2b are its own.
     const std::uint32_t border = halves[1].first;
@@ -85,11 +87,11 @@ class Rebraid {
   }
 
   /// Opens what the rule chooses while there is space, and while the levels left can hold the references.
-  void open(Segment& segment, const WideBox& box, Scratch& scratch) {
-    options_.rule.choose(references(segment.first, segment.last), box, opener_, scratch.chosen);
+  void open(Segment& segment, Scratch& scratch) {
+    options_.rule.choose(references(segment.first, segment.last), segment.bounds, opener_, scratch.chosen);
     for (const std::uint32_t index : scratch.chosen) {
       BuildReference& reference = array_[segment.first + index];
-      std::uint32_t space = segment.end - segment.last;
+      std::uint32_t space = segment.space();
       while (!limits_.fit(segment.count() + space, segment.levels)) space /= 2;
       if (space == 0) return;
       opener_.open(reference, space + 1, scratch.children);
@@ -139,8 +141,9 @@ class Rebraid {
   void share_space(std::array<Segment, 2>& halves) {
     Segment& left = halves[0];
     Segment& right = halves[1];
-    const auto weigh = [this](const Segment& s) {
-      return options_.rule.candidates(references(s.first, s.last), bounds(s.first, s.last), opener_);
+    const auto weigh = [this](Segment& s) {
+      s.bounds = bounds(s.first, s.last);
+      return options_.rule.candidates(references(s.first, s.last), s.bounds, opener_);
     };
     std::uint64_t left_weight = weigh(left);
     std::uint64_t right_weight = weigh(right);
@@ -223,7 +226,8 @@ TopLevelKind rebraid_top_level() {
                        {"extent", "overlap", "cost"}),
            word_option("width", "children that opening a node yields", {"2", "4"}),
            word_option("open", "what can be opened", {"inner", "leaves"}),
-           {"space", "places for references, for each instance", 4, 1, 1024, false},
+           {"space", "places for references, for each instance; 4 in the paper, which takes twice the time", 2, 1, 1024,
+            false},
            {"triangles", "if no instance is transformed: or one place for so many triangles, if that is more", 1000, 1,
             1e9},
            bins_option(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "golden/build/two_level/opening_rule.h"
 #include "golden/build/two_level/top_level.h"
@@ -23,12 +24,14 @@ struct Segment {
   std::uint32_t node;  ///< where its node goes
   int levels;          ///< of inner nodes that may still follow
   bool opening;
+  WideBox bounds;  ///< of its references, before any is opened; while it is `opening`
 
   std::uint32_t count() const { return last - first; }
+  std::uint32_t space() const { return end - last; }
 };
 
-/// Sees every segment before it is opened; from any thread.
-using SegmentObserver = std::function<void(const Segment& segment)>;
+/// Sees every segment and its references before they are opened; from any thread.
+using SegmentObserver = std::function<void(const Segment& segment, std::span<const BuildReference> references)>;
 
 struct RebraidOptions {
   OpeningRule rule;

@@ -138,7 +138,7 @@ TEST(Rebraid, segments_never_overlap_and_a_split_shares_all_space) {
       RebraidOptions options;
       options.places = space * scene.scene.instances.size();
       std::vector<Segment> all;
-      build_rebraided(scene.trees(), options, [&](const Segment& segment) { all.push_back(segment); });
+      build_rebraided(scene.trees(), options, [&](const Segment& segment, auto) { all.push_back(segment); });
       std::vector<std::uint32_t> leaf_places(options.places);
       std::set<std::uint32_t> nodes;
       for (const Segment& s : all) {
@@ -162,6 +162,55 @@ TEST(Rebraid, segments_never_overlap_and_a_split_shares_all_space) {
 }
 
 /// Two long objects that cross: opened once each, their halves separate. By hand.
+TEST(Rebraid, a_segment_is_opened_while_there_is_space_and_the_rule_does_not_end_it) {
+  std::size_t full = 0;
+  std::size_t ended = 0;
+  std::size_t goes_on = 0;
+  for (const char* spec : kScenes) {
+    const BuiltScene scene(load_two_level_scene(spec));
+    for (const std::uint64_t space : {2U, 4U, 50U}) {
+      RebraidOptions options;
+      options.places = space * scene.scene.instances.size();
+      struct Seen {
+        Segment segment;
+        bool ends;
+      };
+      std::vector<Seen> all;
+      build_rebraided(scene.trees(), options, [&](const Segment& segment, std::span<const BuildReference> references) {
+        WideBox box;
+        for (const BuildReference& reference : references) box.enclose(reference.bounds);
+        all.push_back({segment, options.rule.ends(references, box)});
+        if (!segment.opening) return;
+        EXPECT_EQ(narrowed(segment.bounds).lower, narrowed(box).lower);
+        EXPECT_EQ(narrowed(segment.bounds).upper, narrowed(box).upper);
+      });
+      for (const Seen& seen : all) {
+        const Segment& parent = seen.segment;
+        std::uint32_t space_left = 0;
+        int opening = 0;
+        int halves = 0;
+        for (const Seen& other : all) {
+          const Segment& half = other.segment;
+          if (half.levels + 1 != parent.levels || half.first < parent.first || half.end > parent.end) continue;
+          ++halves;
+          space_left += half.space();
+          opening += half.opening ? 1 : 0;
+        }
+        if (parent.count() == 1 || !parent.opening) {
+          EXPECT_EQ(opening, 0);
+          continue;
+        }
+        ASSERT_EQ(halves, 2);
+        EXPECT_EQ(opening, seen.ends || space_left == 0 ? 0 : 2);
+        ++(seen.ends ? ended : space_left == 0 ? full : goes_on);
+      }
+    }
+  }
+  EXPECT_GT(full, 20U);
+  EXPECT_GT(ended, 20U);
+  EXPECT_GT(goes_on, 20U);
+}
+
 TEST(Rebraid, by_hand_two_rods_that_overlap_are_opened) {
   const auto rod = [](float y) {
     Mesh mesh{"rod", {}, {}};
