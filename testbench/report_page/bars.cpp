@@ -92,7 +92,7 @@ Markup draw_bar(const BarChart& chart, const Bar& bar, const Scale& x, double to
                   element("title", fmt::format("{}: {} {}", full_name, chart.parts[i], figure_text(bar.parts[i]))));
   }
   if (!bar.reference) {
-    content += label(x.place(sum) + 7, middle + 4, Anchor::start, fmt::format("{:.4g}", sum), "value");
+    if (chart.totals) content += label(x.place(sum) + 7, middle + 4, Anchor::start, tick_text(sum), "value");
     return element("g", Attributes{}, content);
   }
   const std::string reference = fmt::format("{}: {} {}", full_name, chart.reference, figure_text(*bar.reference));

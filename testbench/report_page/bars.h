@@ -26,6 +26,7 @@ struct BarChart {
   std::vector<std::string> parts;  ///< their names; at most kBarParts
   std::vector<Bar> bars;
   std::string reference = {};  ///< what the marks are
+  bool totals = true;          ///< stand behind the bars
 };
 
 /// Nothing without a bar. Bars with a part that is negative or not finite are left out.

@@ -49,7 +49,7 @@ th.number, td.number { text-align: right; white-space: nowrap; }
 tbody th { position: sticky; left: 0; background: var(--paper); } figure tbody th { background: var(--panel); }
 tbody tr:hover th, tbody tr:hover { background: var(--panel); }
 .paper, tr.paper th, tr.paper td { color: var(--soft); font-style: italic; }
-td.prose { min-width: 18rem; } .matrix { margin-bottom: 1.5rem; }
+td.passed, td.failed, td.none { white-space: nowrap; } td.prose { min-width: 18rem; } .matrix { margin-bottom: 1.5rem; }
 table.files code { color: var(--ink); }
 .notes { margin: .5rem 0; padding-left: 1.2rem; color: var(--soft); font-size: .85rem; }
 .failures { color: var(--bad); font-weight: 650; }

@@ -42,7 +42,7 @@ Series speed(const std::string& name, const std::vector<Json>& rows) {
 Markup show(const Json& json, Figures& figures) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& [name, value] : json.at("axis_compressor").items())
-    rows.push_back({name, value.is_number_float() ? figure_text(value.get<double>()) : value.dump()});
+    rows.push_back({name, value.is_number_float() ? tick_text(value.get<double>()) : value.dump()});
   Markup markup = element("h3", "Axis compressor");
   markup += plain_table("Axis compressor", {"figure", "value"}, rows);
   markup += draw(Plot{"Speed of builds and simulations",

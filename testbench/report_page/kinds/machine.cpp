@@ -40,7 +40,9 @@ BarChart utilisation(const Json& result) {
   BarChart chart{"What the modules did",
                  "per cent of the cycles",
                  {"busy", "waits for input", "waits for its output", "idle"},
-                 {}};
+                 {},
+                 {},
+                 false};
   for (const auto& [module, cycles] : result.at("utilisation").items()) {
     Bar bar{"", module, {}};
     double all = 0;
