@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -24,10 +25,11 @@ struct ChapterText {
   const char* title;
 };
 
-constexpr std::array<ChapterText, 5> kChapters = {
+constexpr std::array<ChapterText, 6> kChapters = {
     {{Chapter::checks, "checks", "Units and checks"},
      {Chapter::evaluations, "evaluations", "The papers' tables and figures, and ours"},
      {Chapter::runs, "runs", "Single builds, simulations and refits"},
+     {Chapter::rays, "rays", "Rays through the trees"},
      {Chapter::animations, "animations", "Moving scenes"},
      {Chapter::speed, "speed", "Speed of the models"}}};
 
@@ -98,9 +100,17 @@ Markup chapter(Chapter which, const Contents& contents, Figures& figures) {
   return markup;
 }
 
+/// The command line of the first result that names the picture's file; empty without one.
+std::string maker_of(const Picture& picture, const std::vector<Result>& results) {
+  const std::string name = file_name(picture.place);
+  const auto names_it = [&](const Result& result) { return result.command_line.find(name) != std::string::npos; };
+  const auto found = std::find_if(results.begin(), results.end(), names_it);
+  return found == results.end() ? "" : found->command_line;
+}
+
 Markup pictures(const Contents& contents) {
   Markup markup;
-  for (const Picture& picture : contents.pictures) markup += show_picture(picture);
+  for (const Picture& picture : contents.pictures) markup += show_picture(picture, maker_of(picture, contents.results));
   return markup.empty() ? markup : element("div", {{"class", "pictures"}}, markup);
 }
 

@@ -76,7 +76,7 @@ Picture read_picture(const std::string& place, const std::string& bytes) {
   return picture;
 }
 
-Markup show_picture(const Picture& picture) {
+Markup show_picture(const Picture& picture, const std::string& command_line) {
   const std::string name = std::filesystem::path(picture.place).filename().string();
   const std::string size = fmt::format("{} × {} pixels", picture.width, picture.height);
   Markup content = element("img", {{"src", "data:image/png;base64," + base64(picture.bytes)},
@@ -84,7 +84,8 @@ Markup show_picture(const Picture& picture) {
                                    {"width", std::to_string(picture.width)},
                                    {"height", std::to_string(picture.height)}});
   Markup caption = element("strong", name);
-  caption += Markup::text(" " + size);
+  caption += Markup::text(" " + size + " ");
+  if (!command_line.empty()) caption += element("code", command_line);
   content += element("figcaption", Attributes{}, caption);
   return element("figure", {{"class", "picture"}}, content);
 }

@@ -23,8 +23,8 @@ bool is_png(const std::string& bytes);
 /// InputError with the offset.
 Picture read_picture(const std::string& place, const std::string& bytes);
 
-/// The picture with its name and size, its bytes within the page.
-Markup show_picture(const Picture& picture);
+/// The picture with its name, its size and the command that made it, if that is known; its bytes within the page.
+Markup show_picture(const Picture& picture, const std::string& command_line);
 
 /// RFC 4648.
 std::string base64(const std::string& bytes);

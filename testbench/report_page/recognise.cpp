@@ -68,7 +68,7 @@ std::string made_by(const Json& json, const std::string& key) {
 
 std::vector<ResultKind> result_kinds() {
   return {checks_kind(),     units_kind(), lockstep_kind(),  evaluation_kind(), build_kind(),
-          simulation_kind(), refit_kind(), animation_kind(), bench_kind()};
+          simulation_kind(), refit_kind(), animation_kind(), bench_kind(),      trace_kind()};
 }
 
 void recognise(const std::string& place, const std::string& bytes, Contents& contents) {

@@ -25,7 +25,7 @@ enum class Outcome { passed, failed, nothing_checked };
 Outcome outcome(const Tally& tally);
 
 /// The chapters of the page.
-enum class Chapter { checks, evaluations, runs, animations, speed };
+enum class Chapter { checks, evaluations, runs, rays, animations, speed };
 
 /// The count of this name. Throws std::invalid_argument when it is no count.
 std::uint64_t count(const Json& json, const char* key);
@@ -61,6 +61,7 @@ ResultKind evaluation_kind();
 ResultKind lockstep_kind();
 ResultKind refit_kind();
 ResultKind simulation_kind();
+ResultKind trace_kind();
 ResultKind units_kind();
 
 }  // namespace cbvh::testbench

@@ -88,6 +88,7 @@ svg .value { stroke: var(--panel); stroke-width: 3px; paint-order: stroke; }
 @media print {
   html { font-size: 10.5pt; } body { max-width: none; padding: 0; } nav { display: none; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  table { font-size: 7pt; } th, td { padding: 2pt 3pt; } th.number { white-space: normal; } td.prose { min-width: 0; }
   h2, h3, h4 { break-after: avoid; } tr { break-inside: avoid; } .scroll { overflow: visible; }
   details.long::details-content { content-visibility: visible; display: block; }
   figure.wide > .scroll > svg { min-width: 0; }

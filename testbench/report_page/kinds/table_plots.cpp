@@ -182,6 +182,27 @@ Markup draw_two_level(const Json& tables, Figures& figures) {
   return draw(chart, figures);
 }
 
+/// A plot of one figure over the frames, for every scene and kind of object trees.
+Markup draw_frames(const Json& tables, const char* key, const Axis& y, Figures& figures) {
+  std::vector<Plot> plots;
+  for (const Json& row : rows(tables, "two_level_every_frame")) {
+    const std::string title = fmt::format("{}: {} trees, {}", y.label, text(row, "objects"), text(row, "scene"));
+    auto plot = std::find_if(plots.begin(), plots.end(), [&](const Plot& known) { return known.title == title; });
+    if (plot == plots.end()) plot = plots.insert(plots.end(), Plot{title, {"frame", false, false, true}, y, {}});
+    const auto value = number(row, key);
+    if (value) series_of(plot->series, text(row, "top")).points.push_back({number(row, "frame").value_or(0), *value});
+  }
+  Markup markup;
+  for (const Plot& plot : plots) markup += draw(plot, figures);
+  return markup;
+}
+
+Markup draw_two_level_frames(const Json& tables, Figures& figures) {
+  Markup markup = draw_frames(tables, "build_ms", {"time to build the top level, ms", true}, figures);
+  markup += draw_frames(tables, "sah", {"SAH of both levels"}, figures);
+  return markup;
+}
+
 }  // namespace
 
 Markup draw_table(const std::string& key, const Json& tables, Figures& figures) {
@@ -192,7 +213,8 @@ Markup draw_table(const std::string& key, const Json& tables, Figures& figures) 
                                                         {"figure7", draw_figure7},
                                                         {"figure10", draw_figure10},
                                                         {"builder_compression", draw_builders},
-                                                        {"two_level", draw_two_level}};
+                                                        {"two_level", draw_two_level},
+                                                        {"two_level_every_frame", draw_two_level_frames}};
   const auto found = drawings.find(key);
   return found == drawings.end() ? Markup() : found->second(tables, figures);
 }

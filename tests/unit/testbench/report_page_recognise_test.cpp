@@ -49,7 +49,7 @@ TEST(Recognise, pictures_have_their_size_and_stay_as_they_are) {
   ASSERT_EQ(contents.pictures.size(), 1);
   EXPECT_EQ(contents.pictures[0].width, 640);
   EXPECT_EQ(contents.pictures[0].height, 480);
-  EXPECT_NE(show_picture(contents.pictures[0]).html().find(base64(bytes)), std::string::npos);
+  EXPECT_NE(show_picture(contents.pictures[0], "").html().find(base64(bytes)), std::string::npos);
 }
 
 TEST(Recognise, broken_pictures_are_refused_by_offset) {
@@ -94,7 +94,7 @@ TEST(Recognise, every_kind_is_told_from_all_others) {
     EXPECT_NE(refusal(json.dump()).find("found a broken " + kind.name + ":"), std::string::npos)
         << refusal(json.dump());
   }
-  EXPECT_EQ(names.size(), 9);
+  EXPECT_EQ(names.size(), 10);
 }
 
 Json table(const Json& rows) {
@@ -143,6 +143,50 @@ TEST(Document, says_which_command_and_version_made_a_file) {
   EXPECT_EQ(page_of(json).find("<code>cbvh eval"), std::string::npos);
   json["made_by"] = {{"version", "9.8.7"}, {"command_line", "cbvh eval 'a&b'"}};
   EXPECT_NE(page_of(json).find("<td>9.8.7</td><td><code>cbvh eval &#39;a&amp;b&#39;</code></td>"), std::string::npos);
+}
+
+Json traced(std::uint64_t different) {
+  const Json counts = {{"rays", 12}, {"box_tests", 100}, {"triangle_tests", 10}};
+  const Json none = {{"rays", 0}, {"box_tests", 0}, {"triangle_tests", 0}};
+  const Json through = {{"primary", counts}, {"secondary", none}, {"rays_per_second", 2e6}};
+  return {{"scene", "proc:cloth"},
+          {"builder", "lbvh"},
+          {"compression", "streaming"},
+          {"code", "modulo"},
+          {"bits", 6},
+          {"width", 4},
+          {"height", 3},
+          {"rays", "primary"},
+          {"float", through},
+          {"compressed", through},
+          {"ratio", {{"primary", {{"box_tests", 1.07}, {"triangle_tests", nullptr}}}}},
+          {"different_pixels", different},
+          {"made_by", {{"version", "1"}, {"command_line", "cbvh trace proc:cloth -o cloth.png"}}}};
+}
+
+TEST(Document, every_pixel_of_a_traced_picture_is_a_check) {
+  Contents contents;
+  recognise("a.json", traced(0).dump(), contents);
+  EXPECT_EQ(tally_of(contents).passed, 12);
+  recognise("b.json", traced(5).dump(), contents);
+  EXPECT_EQ(tally_of(contents).passed, 12 + 7);
+  EXPECT_EQ(tally_of(contents).failed, 5);
+  const std::string page = report_page(contents);
+  EXPECT_NE(page.find("primary rays, box tests: 1.07 (the paper&#39;s average: 1.08)."), std::string::npos);
+  EXPECT_EQ(page.find("primary rays, triangle tests"), std::string::npos) << "a ratio there is not";
+  EXPECT_EQ(page.find("secondary rays"), std::string::npos) << "rays there are not";
+}
+
+TEST(Document, a_picture_has_the_command_that_names_its_file) {
+  Contents contents;
+  const std::string bytes = kSignature + header(2, 2) + chunk("IDAT", "x") + kEnd;
+  recognise("folder/cloth.png", bytes, contents);
+  recognise("folder/other.png", bytes, contents);
+  recognise("a.json", traced(0).dump(), contents);
+  const std::string page = report_page(contents);
+  EXPECT_NE(page.find("<strong>cloth.png</strong> 2 \u00d7 2 pixels <code>cbvh trace proc:cloth -o cloth.png</code>"),
+            std::string::npos);
+  EXPECT_NE(page.find("<strong>other.png</strong> 2 \u00d7 2 pixels </figcaption>"), std::string::npos);
 }
 
 TEST(Document, a_unit_that_nobody_checked_says_so) {
