@@ -52,8 +52,8 @@ int run_frames(const Options& options) {
     checks += measure.frames.size();
     for (const FrameMeasure& frame : measure.frames) {
       if (!frame.same_picture)
-        failures.push_back(fmt::format("{}, {} over {} trees, frame {}: the picture is not that of the first top level",
-                                       measure.scene, measure.top, measure.objects, frame.frame));
+        failures.push_back(fmt::format("{}, {} of {} trees, frame {}: the picture is not that of the first top level",
+                                       measure.scene, measure.top, measure.trees, frame.frame));
     }
   }
   return report(options, {frames_table(measures), every_frame_table(measures)}, checks, failures);

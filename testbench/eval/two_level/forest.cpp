@@ -6,6 +6,7 @@
 
 #include "golden/build/two_level/two_level_sah.h"
 #include "golden/quantize/scale.h"
+#include "golden/tree/decode.h"
 #include "golden/update/top_down.h"
 
 namespace cbvh::testbench {
@@ -47,6 +48,15 @@ double fastest_build(const golden::TopLevelBuilder& builder, const golden::Insta
     fastest = i == 0 ? seconds : std::min(seconds, fastest);
   }
   return fastest;
+}
+
+golden::TopLevel decoded(const golden::TopLevel& top, const golden::CompressedTree& compressed) {
+  golden::TopLevel result = top;
+  const std::vector<std::array<golden::Box, 2>> boxes = golden::decode_boxes(compressed);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t c = 0; c < 2; ++c) result.tree.pairs[i].child[c] = boxes[i][c];
+  }
+  return result;
 }
 
 }  // namespace cbvh::testbench

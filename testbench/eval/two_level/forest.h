@@ -33,4 +33,7 @@ struct Forest {
 double fastest_build(const golden::TopLevelBuilder& builder, const golden::InstancedTrees& trees, unsigned repeats,
                      golden::TopLevel& top);
 
+/// The top level with the boxes of its compressed tree.
+golden::TopLevel decoded(const golden::TopLevel& top, const golden::CompressedTree& compressed);
+
 }  // namespace cbvh::testbench

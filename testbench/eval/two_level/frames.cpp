@@ -11,6 +11,7 @@
 #include "golden/threads/parallel_for.h"
 #include "golden/trace/camera.h"
 #include "golden/trace/two_level/two_level_tracer.h"
+#include "golden/update/top_down.h"
 #include "testbench/eval/two_level/forest.h"
 #include "testbench/fnv.h"
 #include "testbench/progress.h"
@@ -55,6 +56,7 @@ FrameMeasure measure(const Forest& forest, bool compressed, const golden::TopLev
   FrameMeasure result;
   golden::TopLevel top;
   result.build_seconds = fastest_build(builder, trees, repeats, top);
+  if (compressed) top = decoded(top, golden::compress_top_down(top.tree, rules_of(top.tree), golden::Code::modulo));
   result.references = top.references.size();
   result.sah = golden::two_level_sah(top, trees, forest.world);
   trace_picture(top, trees, rays, forest.world, size, result);
@@ -88,7 +90,7 @@ std::vector<FramesMeasure> measure_frames(const TwoLevelJob& job, unsigned frame
   for (const std::string& scene : job.scenes) {
     const std::size_t first = results.size();
     for (const golden::TopLevelBuilder& top : tops) {
-      for (const char* of : {"float", "compressed"}) results.push_back({scene, top.text(), of, {}});
+      for (const char* trees : {"float", "compressed"}) results.push_back({scene, top.text(), trees, {}});
     }
     for (unsigned frame = 0; frame < frames; ++frame) {
       const Forest forest(golden::load_two_level_scene(name_of_frame({scene, 0, frames}, frame)), objects);

@@ -29,7 +29,7 @@ struct FrameMeasure {
 struct FramesMeasure {
   std::string scene;
   std::string top;
-  std::string objects;  ///< "float" or "compressed"
+  std::string trees;  ///< "float", or "compressed": the objects' and the top level's
   std::vector<FrameMeasure> frames;
 };
 

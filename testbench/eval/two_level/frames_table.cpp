@@ -36,7 +36,7 @@ Table frames_table(const std::vector<FramesMeasure>& measures) {
               "Top levels built anew every frame",
               {{"scene", "scene"},
                {"top", "top level"},
-               {"objects", "object trees"},
+               {"trees", "trees"},
                {"frames", "frames"},
                {"references", "references, median"},
                {"build_ms", "build ms, median", 3},
@@ -52,8 +52,9 @@ Table frames_table(const std::vector<FramesMeasure>& measures) {
                {"pictures", "pictures"}},
               3,
               {},
-              {"of the first: the median of each frame's ratio to the first top level of the same scene and object "
-               "trees; longest and largest: of all frames",
+              {"trees: float ones, or compressed ones on both levels",
+               "of the first: the median of each frame's ratio to the first top level of the same scene and "
+               "kind of trees; longest and largest: of all frames",
                "paper: Bikker, part 6, 256 instances of the armadillo: half a millisecond to update the top level",
                "a ray: a primary ray, on both levels, medians of the frames' means; transforms: into the space of an "
                "instance, once for each reference reached",
@@ -62,7 +63,7 @@ Table frames_table(const std::vector<FramesMeasure>& measures) {
               true};
   for (const FramesMeasure& m : measures) {
     const FramesMeasure& first = *std::find_if(measures.begin(), measures.end(), [&](const FramesMeasure& other) {
-      return other.scene == m.scene && other.objects == m.objects;
+      return other.scene == m.scene && other.trees == m.trees;
     });
     const std::vector<double> build = sorted(m, build_ms);
     const std::vector<double> sah = sorted(m, [](const FrameMeasure& f) { return f.sah; });
@@ -70,7 +71,7 @@ Table frames_table(const std::vector<FramesMeasure>& measures) {
         std::all_of(m.frames.begin(), m.frames.end(), [](const FrameMeasure& f) { return f.same_picture; });
     const bool paper = m.top.starts_with("agglomerative") && m.frames.front().references == 256;
     table.rows.push_back(
-        {m.scene, m.top, m.objects, m.frames.size(),
+        {m.scene, m.top, m.trees, m.frames.size(),
          static_cast<std::uint64_t>(
              median(sorted(m, [](const FrameMeasure& f) { return static_cast<double>(f.references); }))),
          median(build), build.back(),
@@ -91,7 +92,7 @@ Table every_frame_table(const std::vector<FramesMeasure>& measures) {
               "Every frame",
               {{"scene", "scene"},
                {"top", "top level"},
-               {"objects", "object trees"},
+               {"trees", "trees"},
                {"frame", "frame"},
                {"references", "references"},
                {"build_ms", "build ms", 3},
@@ -108,7 +109,7 @@ Table every_frame_table(const std::vector<FramesMeasure>& measures) {
               false};
   for (const FramesMeasure& m : measures) {
     for (const FrameMeasure& f : m.frames) {
-      table.rows.push_back({m.scene, m.top, m.objects, f.frame, f.references, build_ms(f), f.sah, f.rays, f.hits,
+      table.rows.push_back({m.scene, m.top, m.trees, f.frame, f.references, build_ms(f), f.sah, f.rays, f.hits,
                             f.box_tests, f.triangle_tests, f.transforms, fmt::format("{:016x}", f.picture)});
     }
   }

@@ -11,7 +11,6 @@
 #include "golden/build/two_level/faults.h"
 #include "golden/build/two_level/two_level_sah.h"
 #include "golden/scene/two_level/two_level_scenes.h"
-#include "golden/tree/decode.h"
 #include "golden/tree/validate.h"
 #include "golden/update/streaming.h"
 #include "golden/update/top_down.h"
@@ -52,7 +51,7 @@ class Measuring {
     const golden::GridRules rules = rules_of(top_.tree);
     const golden::CompressedTree top_down = golden::compress_top_down(top_.tree, rules, code);
     check(golden::validate(top_down, top_.tree, 1).empty(), "the compressed top level does not enclose the float one");
-    result_.sah_compressed = sah_of(top_down);
+    result_.sah_compressed = golden::two_level_sah(decoded(top_, top_down), trees_, world_);
     for (std::size_t depth = 1; depth <= kTreeletDepths; ++depth) {
       const int levels = static_cast<int>(depth);
       const golden::StreamingResult reference = golden::compress_streaming(top_.tree, rules, code, levels);
@@ -74,15 +73,6 @@ class Measuring {
     if (!holds)
       result_.failures.push_back(
           fmt::format("{}, {} over {} trees: {}", result_.scene, result_.top, result_.objects, what));
-  }
-
-  double sah_of(const golden::CompressedTree& compressed) const {
-    golden::TopLevel decoded = top_;
-    const std::vector<std::array<golden::Box, 2>> boxes = golden::decode_boxes(compressed);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      for (std::size_t c = 0; c < 2; ++c) decoded.tree.pairs[i].child[c] = boxes[i][c];
-    }
-    return golden::two_level_sah(decoded, trees_, world_);
   }
 
   const golden::InstancedTrees& trees_;

@@ -22,10 +22,15 @@ json "j['failures'] == [] and j['checks'] == len($frames) == 4 * 2 * 4"
 json "all(r['pictures'] == 'all the same' and 0 < r['build_ms'] <= r['build_ms_max'] for r in j['tables']['two_level_frames']['rows'])"
 json "len(set(r['picture'] for r in $frames)) == 4 and len(set((r['frame'], r['picture']) for r in $frames)) == 4"
 json "all(r['rays'] == 64 * 48 and 300 < r['hits'] and r['transforms'] > r['hits'] for r in $frames)"
-json "len(set((r['sah'], r['box_tests'], r['objects']) for r in $frames if r['top'].startswith('agglomerative'))) == 8"
-json "[r['sah'] for r in $frames if r['objects'] == 'compressed'] > [r['sah'] for r in $frames if r['objects'] == 'float']"
+json "len(set((r['sah'], r['box_tests'], r['trees']) for r in $frames if r['top'].startswith('agglomerative'))) == 8"
+json "[r['sah'] for r in $frames if r['trees'] == 'compressed'] > [r['sah'] for r in $frames if r['trees'] == 'float']"
 json "all(r['references'] > 60 for r in $frames if r['top'] == 'rebraid')"
 grep -q '^two_level_every_frame,.*/rebraid/compressed/3",build_ms,0' report.csv
+
+cp report.json frames.json
+expect 0 eval two-level bounce,count=60,size=0.3,speed=5,time=0:proc:soup,triangles=300,size=0.5 --top rebraid --json report.json
+first="{r['trees']: r['sah'] for r in __import__('json').load(open('frames.json'))['tables']['two_level_every_frame']['rows'] if r['top'] == 'rebraid' and r['frame'] == 0}"
+json "(lambda sah: sah['float'] == $rows[0]['sah'] and abs(sah['compressed'] / ($rows[1]['sah'] * $rows[1]['compressed_ratio']) - 1) < 1e-12)($first)"
 
 refuses "nothing moves in bounce:proc:soup" eval two-level bounce:proc:soup --frames 2
 refuses "--width: found 0" eval two-level bounce:proc:soup --frames 1 --width 0

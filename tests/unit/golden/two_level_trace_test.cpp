@@ -7,6 +7,7 @@
 #include "golden/scene/trouble_scenes.h"
 #include "golden/scene/two_level/two_level_scenes.h"
 #include "golden/trace/two_level/two_level_tracer.h"
+#include "golden/tree/decode.h"
 #include "tests/unit/golden/awkward_rays.h"
 #include "tests/unit/golden/two_level_helpers.h"
 
@@ -49,7 +50,7 @@ InstanceHit nearest_of_all(const TwoLevelScene& scene, const InstanceRays& rays,
   return nearest;
 }
 
-/// The same hit through every top level, over float and over compressed trees.
+/// The same hit through every top level, over float and over compressed trees, and through the compressed top level.
 class EveryTop {
  public:
   explicit EveryTop(const BuiltScene& scene) : rays(scene.scene) {
@@ -57,13 +58,15 @@ class EveryTop {
     forests.push_back(scene.compressed_trees());
     for (const char* top : kTops) {
       for (const InstancedTrees& forest : forests) tops.push_back(TopLevelBuilder("test", top).build(forest));
+      tops.push_back(compressed(tops.back()));
     }
-    for (std::size_t i = 0; i < tops.size(); ++i) tracers.emplace_back(tops[i], forests[i % 2], rays);
+    for (std::size_t i = 0; i < tops.size(); ++i)
+      tracers.emplace_back(tops[i], forests[std::min(i % 3, std::size_t{1})], rays);
   }
   void expect(const Ray& ray, const InstanceHit& wanted) {
     for (std::size_t i = 0; i < tracers.size(); ++i) {
-      ASSERT_EQ(tracers[i].trace(ray, Stop::closest), wanted) << kTops[i / 2] << ' ' << wanted.t;
-      ASSERT_EQ(tracers[i].trace(ray, Stop::never), wanted) << kTops[i / 2];
+      ASSERT_EQ(tracers[i].trace(ray, Stop::closest), wanted) << kTops[i / 3] << ' ' << wanted.t;
+      ASSERT_EQ(tracers[i].trace(ray, Stop::never), wanted) << kTops[i / 3];
       ASSERT_EQ(tracers[i].trace(ray, Stop::any).instance == Hit::kNone, wanted.instance == Hit::kNone);
     }
   }
@@ -71,6 +74,15 @@ class EveryTop {
   InstanceRays rays;
 
  private:
+  static TopLevel compressed(TopLevel top) {
+    const GridRules rules{.min_scale = exactness_limit(top.tree.largest_magnitude)};
+    const auto boxes = decode_boxes(compress_top_down(top.tree, rules, Code::modulo));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t c = 0; c < 2; ++c) top.tree.pairs[i].child[c] = boxes[i][c];
+    }
+    return top;
+  }
+
   std::vector<InstancedTrees> forests;
   std::vector<TopLevel> tops;
   std::vector<TwoLevelTracer> tracers;
