@@ -2,12 +2,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "testbench/eval/two_level/table.h"
 
 namespace cbvh::testbench {
 
 namespace {
+
+constexpr std::array<const char*, 5> kNotes{
+    "trees: float ones, or compressed ones on both levels",
+    "of the first: the median of each frame's ratio to the first top level of the same scene and kind of trees; "
+    "longest and largest: of all frames",
+    "paper: Bikker, part 6, 256 instances of the armadillo: half a millisecond to update the top level",
+    "a ray: a primary ray, on both levels, medians of the frames' means; transforms: into the space of an instance, "
+    "once "
+    "for each reference reached",
+    "pictures: each pixel's nearest instance, triangle and distance are those of the first top level over float trees, "
+    "in every frame"};
 
 /// What `value` is of each frame, in ascending order.
 template <class Value>
@@ -52,14 +64,7 @@ Table frames_table(const std::vector<FramesMeasure>& measures) {
                {"pictures", "pictures"}},
               3,
               {},
-              {"trees: float ones, or compressed ones on both levels",
-               "of the first: the median of each frame's ratio to the first top level of the same scene and "
-               "kind of trees; longest and largest: of all frames",
-               "paper: Bikker, part 6, 256 instances of the armadillo: half a millisecond to update the top level",
-               "a ray: a primary ray, on both levels, medians of the frames' means; transforms: into the space of an "
-               "instance, once for each reference reached",
-               "pictures: each pixel's nearest instance, triangle and distance are those of the first top level over "
-               "float trees, in every frame"},
+              {kNotes.begin(), kNotes.end()},
               true};
   for (const FramesMeasure& m : measures) {
     const FramesMeasure& first = *std::find_if(measures.begin(), measures.end(), [&](const FramesMeasure& other) {

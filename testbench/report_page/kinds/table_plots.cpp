@@ -182,11 +182,11 @@ Markup draw_two_level(const Json& tables, Figures& figures) {
   return draw(chart, figures);
 }
 
-/// A plot of one figure over the frames, for every scene and kind of object trees.
+/// A plot of one figure over the frames, for every scene and kind of trees.
 Markup draw_frames(const Json& tables, const char* key, const Axis& y, Figures& figures) {
   std::vector<Plot> plots;
   for (const Json& row : rows(tables, "two_level_every_frame")) {
-    const std::string title = fmt::format("{}: {} trees, {}", y.label, text(row, "objects"), text(row, "scene"));
+    const std::string title = fmt::format("{}: {} trees, {}", y.label, text(row, "trees"), text(row, "scene"));
     auto plot = std::find_if(plots.begin(), plots.end(), [&](const Plot& known) { return known.title == title; });
     if (plot == plots.end()) plot = plots.insert(plots.end(), Plot{title, {"frame", false, false, true}, y, {}});
     const auto value = number(row, key);
