@@ -194,10 +194,11 @@ TopLevel build(const InstancedTrees& trees, const OptionValues& values) {
   const std::vector<Instance>& instances = trees.scene->instances;
   const auto per_instances = values.values.at("space") * static_cast<double>(instances.size());
   options.places = static_cast<std::uint64_t>(per_instances);
-  const bool world_space = std::all_of(instances.begin(), instances.end(),
-                                       [](const Instance& instance) { return is_identity(instance.to_world); });
-  if (world_space)
-    options.places = std::max(options.places, instanced_triangles(*trees.scene) / values.integer("triangles"));
+  const std::uint64_t triangles = values.integer("triangles");
+  const bool in_place = std::all_of(instances.begin(), instances.end(),
+                                    [](const Instance& instance) { return is_identity(instance.to_world); });
+  if (in_place && triangles > 0)
+    options.places = std::max(options.places, instanced_triangles(*trees.scene) / triangles);
   check_counts(trees.scene->name, options.places, 0);
   return build_rebraided(trees, options);
 }
@@ -217,23 +218,25 @@ TopLevelKind plain_top_level() {
 }
 
 TopLevelKind rebraid_top_level() {
-  return {"rebraid",
-          "binned SAH over subtrees: wide ones are opened while instances overlap (Benthin et al. 2017)",
-          {{"extent", "opens what is wider than this share of its segment's longest axis", 0.1, 0, 1, false},
-           {"overlap", "four references or fewer that share no more than this share of the area are not opened", 0.1, 0,
-            10, false},
-           word_option("order", "which are opened first (extent: as they come; overlap: only those that meet another)",
-                       {"extent", "overlap", "cost"}),
-           word_option("width", "children that opening a node yields", {"2", "4"}),
-           word_option("open", "what can be opened", {"inner", "leaves"}),
-           {"space", "places for references, for each instance; 4 in the paper, which takes twice the time", 2, 1, 1024,
-            false},
-           {"triangles", "if no instance is transformed: or one place for so many triangles, if that is more", 1000, 1,
-            1e9},
-           bins_option(),
-           depth_option(),
-           threads_option()},
-          build};
+  return {
+      "rebraid",
+      "binned SAH over subtrees: wide ones are opened while instances overlap (Benthin et al. 2017)",
+      {{"extent", "opens what is wider than this share of its segment's longest axis", 0.1, 0, 1, false},
+       {"overlap", "four references or fewer that share no more than this share of the area are not opened", 0.1, 0, 10,
+        false},
+       word_option("order", "which are opened first (extent: as they come; overlap: only those that meet another)",
+                   {"extent", "overlap", "cost"}),
+       word_option("width", "children that opening a node yields", {"2", "4"}),
+       word_option("open", "what can be opened", {"inner", "leaves"}),
+       {"space", "places for references, for each instance; 4 in the paper, which takes twice the time", 2, 1, 1024,
+        false},
+       {"triangles",
+        "if no instance is transformed: or one place for so many triangles, if that is more (1000 in the paper); 0: no",
+        0, 0, 1e9},
+       bins_option(),
+       depth_option(),
+       threads_option()},
+      build};
 }
 
 }  // namespace cbvh::golden

@@ -20,7 +20,8 @@ struct Options {
   TwoLevelJob job{
       .scenes = {"deal,objects=16,chunk=1000:proc:spheres", "deal,objects=84,chunk=20:proc:city",
                  "deal,objects=64,chunk=50:proc:terrain,triangles=50000", "bounce:proc:hairball,triangles=5000"},
-      .tops = {"plain", "agglomerative", "rebraid", "rebraid,width=4", "rebraid,open=leaves", "rebraid,order=cost"}};
+      .tops = {"plain", "agglomerative", "rebraid", "rebraid,space=4,triangles=1000", "rebraid,width=4",
+               "rebraid,open=leaves", "rebraid,order=cost"}};
   unsigned frames = 0;
   PictureSize picture;
   Output output;

@@ -5,7 +5,7 @@ source "$SOURCE/tests/end_to_end/command/expect.sh"
 
 expect 0 eval two-level deal,objects=5,chunk=100:proc:spheres,triangles=5000 bounce,count=30,size=0.5,time=2:proc:soup,triangles=40 --json report.json --csv report.csv
 rows="j['tables']['two_level']['rows']"
-json "j['failures'] == [] and j['checks'] == 27 * len($rows) and len($rows) == 2 * 2 * 6"
+json "j['failures'] == [] and j['checks'] == 27 * len($rows) and len($rows) == 2 * 2 * 7"
 json "{'plain', 'agglomerative', 'rebraid'} <= set(r['top'] for r in $rows)"
 json "all(r['sah'] > 0 and r['compressed_ratio'] >= 1 and r['depth'] <= 32 for r in $rows)"
 json "all(r['references'] == r['instances'] for r in $rows if r['top'] in ('plain', 'agglomerative'))"

@@ -285,6 +285,18 @@ TEST(Rebraid, the_array_bounds_the_references_and_the_depth_the_levels) {
   }
 }
 
+TEST(Rebraid, only_instances_in_place_get_a_place_for_so_many_triangles) {
+  const auto references = [](const char* spec, const char* builder) {
+    return BuiltScene(load_two_level_scene(spec)).build(builder).references.size();
+  };
+  constexpr const char* kInPlace = "deal,objects=10,chunk=2:proc:soup,triangles=800";
+  EXPECT_EQ(references(kInPlace, "rebraid,overlap=0,extent=0"), 20U);
+  EXPECT_EQ(references(kInPlace, "rebraid,overlap=0,extent=0,triangles=10"), 80U);
+  EXPECT_EQ(references(kInPlace, "rebraid,overlap=0,extent=0,triangles=100"), 20U) << "the greater number";
+  constexpr const char* kTurned = "bounce,count=10,size=1:proc:soup,triangles=80";
+  EXPECT_EQ(references(kTurned, "rebraid,overlap=0,extent=0,triangles=10"), 20U);
+}
+
 TEST(Rebraid, sah_of_one_instance_is_that_of_its_tree_and_scaling_changes_nothing) {
   for (const char* spec :
        {"deal,objects=1:proc:spheres,triangles=800,spheres=5", "deal,objects=1:proc:soup,triangles=90"}) {
