@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "testbench/report_page/scale.h"
@@ -24,8 +23,8 @@ constexpr std::size_t kLabelCharacters = 28;
 double total(const Bar& bar) { return std::accumulate(bar.parts.begin(), bar.parts.end(), 0.0); }
 
 bool is_drawable(const Bar& bar) {
-  return !bar.parts.empty() &&
-         std::all_of(bar.parts.begin(), bar.parts.end(), [](double part) { return std::isfinite(part) && part >= 0; });
+  return !bar.parts.empty() && can_be_drawn(bar.reference.value_or(0)) &&
+         std::all_of(bar.parts.begin(), bar.parts.end(), [](double part) { return can_be_drawn(part) && part >= 0; });
 }
 
 Markup rectangle(double x, double y, double width, double height, const Attributes& more, const Markup& content = {}) {

@@ -29,7 +29,7 @@ struct BarChart {
   bool totals = true;          ///< stand behind the bars
 };
 
-/// Nothing without a bar. Bars with a part that is negative or not finite are left out.
+/// Nothing without a bar. Bars with a part that is negative or cannot be drawn (scale.h) are left out.
 Markup draw(const BarChart& chart, Figures& figures);
 
 }  // namespace cbvh::testbench

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 namespace cbvh::testbench {
@@ -65,7 +64,7 @@ Markup legend(const Plot& plot) {
 /// Only points that can be drawn; series without any are gone.
 Plot drawable(Plot plot) {
   for (Series& series : plot.series)
-    std::erase_if(series.points, [](const Point& p) { return !std::isfinite(p.x) || !std::isfinite(p.y); });
+    std::erase_if(series.points, [](const Point& p) { return !can_be_drawn(p.x) || !can_be_drawn(p.y); });
   std::erase_if(plot.series, [](const Series& series) { return series.points.empty(); });
   return plot;
 }

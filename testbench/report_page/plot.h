@@ -33,7 +33,7 @@ struct Plot {
   bool small = false;  ///< one of several beside each other
 };
 
-/// Nothing without a point. Points that are not finite are left out.
+/// Nothing without a point. Points that cannot be drawn (scale.h) are left out.
 Markup draw(const Plot& plot, Figures& figures);
 
 }  // namespace cbvh::testbench

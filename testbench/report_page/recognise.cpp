@@ -32,6 +32,8 @@ Json parse(const std::string& place, const std::string& bytes) {
                                   : "the end of the file";
     throw golden::InputError(place_of(place, bytes, offset),
                              fmt::format("found {}, want JSON that cbvh wrote, or a PNG picture", found));
+  } catch (const Json::exception& error) {
+    throw golden::InputError(place, fmt::format("found {}, want numbers that binary64 can hold", error.what()));
   }
 }
 

@@ -14,6 +14,10 @@ constexpr double kZeroBand = 0.12;  ///< of a logarithmic axis, between 0 and it
 constexpr double kMostTicks = 7;
 constexpr double kFewDecades = 1.7;  ///< up to these, an axis has 1, 2 and 5 of each
 
+constexpr double kSameValue = 1e-9;  ///< values this close, relative to them, stand at one place
+constexpr double kSmallest = 1e-200;
+constexpr double kLargest = 1e200;
+
 /// The least of 1, 2 and 5 times a power of ten that is not below `value`.
 double step_of(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
@@ -47,7 +51,7 @@ void Scale::fit_linear(double least, double most, const Axis& axis) {
     least = std::min(least, 0.0);
     most = std::max(most, 0.0);
   }
-  if (least == most) {
+  if (most - least <= kSameValue * std::max(std::abs(least), std::abs(most))) {
     const double margin = least == 0 ? 1 : std::abs(least) / 2;
     most += margin;
     if (!axis.from_zero || least != 0) least -= margin;
@@ -90,6 +94,11 @@ double Scale::place(double value) const {
   if (value <= 0) return begin_;
   const double share = (std::log10(value) - low_) / (high_ - low_);
   return begin_ + (zero_ ? kZeroBand + (1 - kZeroBand) * share : share) * (end_ - begin_);
+}
+
+bool can_be_drawn(double value) {
+  const double size = std::abs(value);
+  return size == 0 || (size >= kSmallest && size <= kLargest);
 }
 
 std::string tick_text(double value) {

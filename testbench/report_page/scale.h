@@ -17,7 +17,7 @@ struct Axis {
 /// Where values stand along an axis of a plot, in the units of the drawing, and where its ticks are.
 class Scale {
  public:
-  /// Of all `values`, which are finite; without any, of 0..1. The least stands at or after `begin`, the most at or
+  /// Of all `values`, which can be drawn; without any, of 0..1. The least stands at or after `begin`, the most at or
   /// before `end`; `begin` may be greater than `end`.
   Scale(const Axis& axis, const std::vector<double>& values, double begin, double end);
 
@@ -37,6 +37,9 @@ class Scale {
   double begin_;
   double end_;
 };
+
+/// Finite, and neither so large nor so small that its axis would leave binary64.
+bool can_be_drawn(double value);
 
 /// A number of an axis: short, with k, M and G for thousands, millions and billions.
 std::string tick_text(double value);

@@ -88,6 +88,23 @@ TEST(Scale, every_value_of_any_size_stands_between_the_ends) {
   EXPECT_EQ(places, 41U * 5 * 3 * 2);
 }
 
+TEST(Scale, values_that_differ_in_their_last_bits_stand_at_one_place) {
+  const double above = std::nextafter(1.0, 2.0);
+  const Scale scale(kLinear, {1, above}, 0, 1);
+  EXPECT_LE(scale.ticks().size(), 10);
+  EXPECT_NEAR(scale.place(1), scale.place(above), 1e-6);
+  EXPECT_LE(Scale(kLogarithmic, {1, above}, 0, 1).ticks().size(), 10);
+}
+
+TEST(Scale, what_leaves_binary64_cannot_be_drawn) {
+  for (const double value : {0.0, -1.0, 1e200, -1e-200}) EXPECT_TRUE(can_be_drawn(value)) << value;
+  for (const double value : {5e-324, -1e-201, 1.1e200, -1e308, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_FALSE(can_be_drawn(value)) << value;
+  EXPECT_LE(Scale(kLinear, {-1e200, 1e200}, 0, 1).ticks().size(), 10);
+  EXPECT_LE(Scale(kLinear, {1e-200, 2e-200}, 0, 1).ticks().size(), 10);
+  EXPECT_LE(Scale(kLogarithmic, {0, 1e-200, 1e200}, 0, 1).ticks().size(), 10);
+}
+
 TEST(Scale, tick_texts_are_short) {
   EXPECT_EQ(tick_text(0), "0");
   EXPECT_EQ(tick_text(1e-17), "0");

@@ -76,6 +76,10 @@ TEST(Recognise, text_that_is_no_json_is_refused_by_line_and_column) {
   EXPECT_EQ(refusal("{\n  \"a\": ?}").substr(0, 25), "file:2:8: found byte 0x3f");
 }
 
+TEST(Recognise, a_number_beyond_binary64_is_refused) {
+  EXPECT_NE(refusal(R"({"tables": 1e999})").find("want numbers that binary64 can hold"), std::string::npos);
+}
+
 TEST(Recognise, json_of_others_is_refused_with_what_it_has) {
   EXPECT_EQ(refusal("[]").substr(0, 35), "file: found JSON that is an array, ");
   EXPECT_EQ(refusal("1").substr(0, 34), "file: found JSON that is number, w");
@@ -95,6 +99,24 @@ TEST(Recognise, every_kind_is_told_from_all_others) {
         << refusal(json.dump());
   }
   EXPECT_EQ(names.size(), 10);
+}
+
+TEST(Recognise, figures_that_are_missing_only_from_a_plot_are_refused) {
+  const Json row = {{"scene", "s"}, {"triangles", 1}, {"identical", true}};
+  const Json bench = {
+      {"axis_compressor", {{"cases", 1}, {"failures", 0}}}, {"build", row}, {"scaling", {row}}, {"sim", {row}}};
+  EXPECT_NE(
+      refusal(bench.dump()).find("found a broken benchmark: [json.exception.out_of_range.403] key 'seconds' not found"),
+      std::string::npos);
+}
+
+TEST(Recognise, what_is_no_count_is_refused) {
+  Report report;
+  report.sets = {SetReport{}};
+  Json json = to_json(report);
+  EXPECT_EQ(refusal(json.dump()), "accepted");
+  json["sets"][0]["checks"] = -1;
+  EXPECT_NE(refusal(json.dump()).find("'checks' is -1, no count"), std::string::npos) << refusal(json.dump());
 }
 
 Json table(const Json& rows) {
