@@ -59,14 +59,19 @@ Markup number_of(const std::string& name, std::uint64_t value) {
   return element("div", Attributes{}, item);
 }
 
+/// "1 result", "2 results".
+std::string counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 Markup header(const Contents& contents) {
   const Tally tally = tally_of(contents);
   const VerdictText verdict = verdict_of(tally);
   Markup markup = element("h1", "cbvh report");
-  markup +=
-      element("p", {{"class", "lead"}},
-              fmt::format("Compressed bounding volume hierarchies: {} results and {} pictures, put together by cbvh {}",
-                          contents.results.size(), contents.pictures.size(), kVersion));
+  markup += element(
+      "p", {{"class", "lead"}},
+      fmt::format("Compressed bounding volume hierarchies: {} and {}, put together by cbvh {}",
+                  counted(contents.results.size(), "result"), counted(contents.pictures.size(), "picture"), kVersion));
   Markup numbers = number_of("passed", tally.passed);
   numbers += number_of("failed", tally.failed);
   numbers += number_of("skipped", tally.skipped);

@@ -10,23 +10,25 @@ shift 2
 scenes=("$@")
 ((${#scenes[@]} > 0)) || scenes=(proc:cloth proc:spheres proc:terrain proc:hairball proc:city proc:explode)
 mkdir -p "$folder"
-# made NAME ARGUMENT...: a mismatch is the report's to show.
+# made NAME ARGUMENT...: a mismatch is the report's to show; what this machine lacks is left out of it, and said.
 made() {
   local name=$1 code=0
   shift
   echo "cbvh $*"
   "$cbvh" "$@" --json "$folder/$name.json" >/dev/null || code=$?
+  ((code != 77)) || { echo "  skipped"; return 0; }
   ((code <= 1)) || exit "$code"
 }
 made 01_units units
 made 02_regress regress --suite smoke
-made 03_eval eval "${scenes[@]}"
-made 04_builders eval builders "${scenes[@]}"
-made 05_two_level eval two-level
-made 06_build build "${scenes[0]}"
-made 07_sim sim "${scenes[0]}"
-made 08_refit refit "${scenes[0]}" "${scenes[0]}" --twist 0.2 --frames 4
-made 09_animate animate 'proc:explode,time={time}'
-made 10_bench bench
+made 03_lockstep lockstep --cycles 600
+made 04_eval eval "${scenes[@]}"
+made 05_builders eval builders "${scenes[@]}"
+made 06_two_level eval two-level
+made 07_build build "${scenes[0]}"
+made 08_sim sim "${scenes[0]}"
+made 09_refit refit "${scenes[0]}" "${scenes[0]}" --twist 0.2 --frames 4
+made 10_animate animate 'proc:explode,time={time}'
+made 11_bench bench
 shopt -s nullglob
 exec "$cbvh" report "$folder"/*.json "$folder"/*.png -o "$folder/report.html"

@@ -82,7 +82,7 @@ svg .value { stroke: var(--panel); stroke-width: 3px; paint-order: stroke; }
 .s6.line { stroke: var(--s6); stroke-dasharray: 4 4; } .s6.mark { fill: var(--s6); }
 .s7.line { stroke: var(--s7); stroke-dasharray: 1 4; } .s7.mark { fill: var(--s7); }
 .f0 { fill: var(--f0); } .f1 { fill: var(--f1); } .f2 { fill: var(--f2); } .f3 { fill: var(--f3); } .f4 { fill: var(--f4); }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); gap: 1.25rem; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(24rem, 100%), 1fr)); gap: 1.25rem; }
 .picture { margin: 0; } .picture img { display: block; width: 100%; height: auto; border-radius: .3rem; margin-bottom: .5rem; }
 .picture figcaption { font-weight: normal; font-size: .85rem; color: var(--soft); } .picture strong { color: var(--ink); }
 @media print {
