@@ -37,7 +37,7 @@ browse() {
   local page=$1
   shift
   rm -rf profile net.json
-  timeout 120 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir="$PWD/profile" --no-first-run \
+  timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --hide-scrollbars --user-data-dir="$PWD/profile" --no-first-run \
     --disable-background-networking --disable-component-update --disable-extensions --disable-sync --window-size=1100,4000 \
     --host-resolver-rules='MAP * ~NOTFOUND' --enable-logging=stderr --log-net-log="$PWD/net.json" "$@" "file://$PWD/$page" \
     >dom 2>log || { cat log; fail "chromium does not open $page"; }
