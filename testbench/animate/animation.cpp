@@ -7,7 +7,7 @@
 
 #include "golden/input_error.h"
 #include "golden/tree/sah.h"
-#include "testbench/animate/picture.h"
+#include "testbench/animate/hit_picture.h"
 #include "testbench/option_values.h"
 
 namespace cbvh::testbench {
@@ -25,7 +25,7 @@ golden::Builder builder_on(const std::string& text, unsigned threads) {
   return takes_threads ? golden::Builder("--builder", fmt::format("{},threads={}", text, threads)) : builder;
 }
 
-Picture picture_of(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Box& box,
+HitPicture picture_of(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Box& box,
                    const AnimationJob& job, unsigned threads) {
   return trace_picture(tree, mesh, golden::Camera::around(box), job.width, job.height, threads);
 }
@@ -73,7 +73,7 @@ std::vector<FrameResult> animate(const FreshFrames& fresh, golden::UpdatePolicy 
     const Clock::time_point start = Clock::now();
     const golden::FloatTree& current = tree.advance(fresh.mesh(frame));
     const Clock::time_point updated = Clock::now();
-    const Picture picture = picture_of(current, *fresh.mesh(frame), fresh.box(), job, frame_threads);
+    const HitPicture picture = picture_of(current, *fresh.mesh(frame), fresh.box(), job, frame_threads);
     const Clock::time_point traced = Clock::now();
     results.push_back({seconds(updated - start), seconds(traced - updated), golden::sah(current), fresh.sah(frame),
                        picture.counts.box_tests, tree.age(), digest(picture) == fresh.digest(frame)});

@@ -10,15 +10,15 @@
 namespace cbvh::testbench {
 
 /// The nearest hit of each pixel, row after row from the top, and what they cost.
-struct Picture {
+struct HitPicture {
   std::vector<golden::Hit> hits;
   golden::TraceCounts counts;
 };
 
-Picture trace_picture(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Camera& camera,
+HitPicture trace_picture(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Camera& camera,
                       unsigned width, unsigned height, unsigned threads);
 
 /// FNV-1a-64 over triangles and distances: equal pictures have equal digests.
-std::uint64_t digest(const Picture& picture);
+std::uint64_t digest(const HitPicture& picture);
 
 }  // namespace cbvh::testbench

@@ -1,5 +1,5 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
-#include "testbench/animate/picture.h"
+#include "testbench/animate/hit_picture.h"
 
 #include <bit>
 
@@ -8,9 +8,9 @@
 
 namespace cbvh::testbench {
 
-Picture trace_picture(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Camera& camera,
+HitPicture trace_picture(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Camera& camera,
                       unsigned width, unsigned height, unsigned threads) {
-  Picture picture;
+  HitPicture picture;
   picture.hits.resize(std::size_t{width} * height);
   std::vector<golden::TraceCounts> counts(height);
   golden::parallel_for(height, threads, [&](std::size_t row) {
@@ -25,7 +25,7 @@ Picture trace_picture(const golden::FloatTree& tree, const golden::Mesh& mesh, c
   return picture;
 }
 
-std::uint64_t digest(const Picture& picture) {
+std::uint64_t digest(const HitPicture& picture) {
   Fnv hash;
   for (const golden::Hit& hit : picture.hits) {
     hash.add(hit.primitive);
