@@ -16,6 +16,7 @@ std::vector<std::vector<std::vector<std::uint8_t>>> subtrees(const std::vector<s
   std::vector<std::size_t> roots;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     std::memcpy(&jobs[i], tree[i].data(), sizeof(rtl::StreamJob));
+    if (jobs[i].root && i + 1 < jobs.size()) return {};  // several trees: nothing to cut
     begins[i] = i;
     for (std::size_t child = 0; child < 2; ++child) {
       const std::size_t pointer = jobs[i].pair.pointer[child].value();

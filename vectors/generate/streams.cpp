@@ -37,7 +37,9 @@ enum Class : std::size_t {
   kBeyondExactness,
   kRefusedRoot,
   kTooDeep,
-  kTwoTrees
+  kTwoTrees,
+  kRefusedThenValid,
+  kSmallTrees
 };
 static_assert(kNotFinite == kValidStreamClasses);
 
@@ -166,6 +168,17 @@ Stream too_deep(Random& random) {
   return emit.finish(any_registers(random));
 }
 
+/// Trees of a few pairs one behind the other: several are under way at once, and wait for whoever takes their reports.
+Stream small_trees(Random& random) {
+  Stream stream;
+  for (int trees = random.between(3, 6); trees > 0; --trees) {
+    const bool single = random.one_in(3);
+    append(stream,
+           tree(single ? TreeShape::single_pair : TreeShape::random, any_places(random), single ? 1 : 3, random));
+  }
+  return stream;
+}
+
 }  // namespace
 
 std::vector<rtl::StreamJob> make_valid_stream(Random& random) {
@@ -184,10 +197,12 @@ std::vector<rtl::StreamJob> make_stream(std::size_t case_class, Random& random) 
       return refused_tree(any_reason(random), true, random);
     case kTooDeep:
       return too_deep(random);
+    case kSmallTrees:
+      return small_trees(random);
     case kTwoTrees:
       stream = make_valid_stream(random);
       break;
-    default: {
+    default: {  // kRefusedThenValid
       const bool at_root = random.one_in(4);
       stream = refused_tree(any_reason(random), at_root, random);
     }

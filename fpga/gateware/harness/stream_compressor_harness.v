@@ -42,6 +42,7 @@ module stream_compressor_harness #(
   wire [`CBVH_MEMORY_LINE_WIDTH-1:0] answers_data, lines_in_data, lines_data;
   wire unit_reports_valid, unit_reports_ready, reports_valid, reports_ready;
   wire [`CBVH_STREAM_REPORT_WIDTH-1:0] unit_reports_data, reports_data;
+  wire [1:0] reports_behind;
   stream_compressor #(
       .N(N),
       .D(D)
@@ -85,17 +86,23 @@ module stream_compressor_harness #(
       .out_ready(lines_ready),
       .out_data(lines_data)
   );
+  // A report is taken along with the last request that was sent before it. Requests wait while a tree is told, so there
+  // can be two; they are counted modulo 4.
+  reg [1:0] sent, taken;
+  wire sends = unit_memory_valid & unit_memory_ready;
+  wire takes = requests_valid & requests_ready;
+  wire [1:0] due = reports_behind - taken;
   skid_buffer #(
-      .WIDTH(`CBVH_STREAM_REPORT_WIDTH)
+      .WIDTH(2 + `CBVH_STREAM_REPORT_WIDTH)
   ) reports (
       .clk(clk),
       .reset(reset),
       .in_valid(unit_reports_valid),
       .in_ready(unit_reports_ready),
-      .in_data(unit_reports_data),
+      .in_data({sent + {1'b0, sends}, unit_reports_data}),
       .out_valid(reports_valid),
       .out_ready(reports_ready),
-      .out_data(reports_data)
+      .out_data({reports_behind, reports_data})
   );
 
   // While the tree is told, line after line is read for that.
@@ -104,8 +111,9 @@ module stream_compressor_harness #(
   reg [1:0] told_slot;
   wire all_told;
   wire cleared = state == REPORT & out_ready;
-  assign memory_valid = state == RUN ? requests_valid : state == MEMORY & ~asked;
-  assign requests_ready = state == RUN & memory_ready;
+  wire all_taken = reports_valid & due == 2'd0;
+  assign memory_valid = state == RUN ? requests_valid & ~all_taken : state == MEMORY & ~asked;
+  assign requests_ready = state == RUN & memory_ready & ~all_taken;
   assign memory_data = state == RUN ? requests_data : {{4 * PAIR{1'b0}}, 4'd0, told_line, 1'b0};
   assign lines_in_valid = state == RUN & answers_valid;
   assign lines_in_data = answers_data;
@@ -129,7 +137,7 @@ module stream_compressor_harness #(
   );
 
   // A write to a pair that the tree has written before is a repair.
-  wire taken_write = requests_valid & requests_ready & requests_data[`CBVH_MEMORY_REQUEST_WRITE];
+  wire taken_write = takes & requests_data[`CBVH_MEMORY_REQUEST_WRITE];
   wire [`CBVH_LINE_BITS-1:0] line = requests_data[`CBVH_MEMORY_REQUEST_LINE];
   wire [3:0] mask = requests_data[`CBVH_MEMORY_REQUEST_MASK];
   wire [4*PAIR-1:0] pairs = requests_data[`CBVH_MEMORY_REQUEST_PAIRS];
@@ -147,7 +155,7 @@ module stream_compressor_harness #(
 
   reg [`CBVH_STREAM_REPORT_WIDTH-1:0] report;
   reg [31:0] report_cycle;
-  assign reports_ready = state == RUN;
+  assign reports_ready = state == RUN & (due == 2'd0 | due == 2'd1 & takes);
   wire told_pair = state == MEMORY & answers_valid & out_ready;
   assign all_told = {told_line, told_slot} == highest;
   assign out_valid = state == REPAIRS ? told != logged : state == MEMORY ? answers_valid : state == REPORT;
@@ -165,8 +173,15 @@ module stream_compressor_harness #(
       report       <= reports_data;
       report_cycle <= cycle;
     end
-    if (reset) cycle <= 32'd0;
-    else cycle <= cycle + 32'd1;
+    if (reset) begin
+      cycle <= 32'd0;
+      sent  <= 2'd0;
+      taken <= 2'd0;
+    end else begin
+      cycle <= cycle + 32'd1;
+      if (sends) sent <= sent + 2'd1;
+      if (takes) taken <= taken + 2'd1;
+    end
     if (reset | cleared) begin
       state     <= RUN;
       written   <= {4 << LINES_LOG2{1'b0}};
@@ -182,7 +197,8 @@ module stream_compressor_harness #(
       if (logs) logged <= logged + 1'b1;
       case (state)
         RUN:
-        if (reports_valid) state <= reports_data[`CBVH_STREAM_REPORT_STATUS] == `CBVH_STATUS_OK ? REPAIRS : REPORT;
+        if (reports_valid & reports_ready)
+          state <= reports_data[`CBVH_STREAM_REPORT_STATUS] == `CBVH_STATUS_OK ? REPAIRS : REPORT;
         REPAIRS: if (told == logged) state <= MEMORY;
         MEMORY: if (told_pair & all_told) state <= REPORT;
         default: ;

@@ -150,6 +150,25 @@ TEST(Minimise, drops_the_steps_of_an_episode_that_do_not_matter) {
   EXPECT_EQ(smaller->response_count(), 3u) << "the golden answers the shorter episode anew";
 }
 
+TEST(Minimise, leaves_trees_whole_that_fail_together_only) {
+  const auto set = vectors::generate_set("stream_compressor", {6, 2}, 23 * 4, 3);
+  const auto trees = [](const vectors::VectorSet& one) {
+    int count = 0;
+    for (std::size_t i = 0; i < one.stimulus_count(); ++i) {
+      count += bool(static_cast<const rtl::StreamJob*>(one.stimulus_at(i))->root);
+    }
+    return count;
+  };
+  std::size_t tried = 0;
+  for (std::size_t index = 0; index < set->size(); ++index) {
+    if (set->class_name(index) != "small-trees") continue;
+    const auto smaller = minimise(*set, index, [&](const vectors::VectorSet& one) { return trees(one) >= 2; });
+    EXPECT_EQ(trees(*smaller), 2);
+    ++tried;
+  }
+  EXPECT_EQ(tried, 4U);
+}
+
 /// Stops taking jobs after the third.
 class HangingUnit {
  public:
