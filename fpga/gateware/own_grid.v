@@ -3,15 +3,16 @@
 // Combinational. Twin of refinement and own_grid in rtl_model/datapath/cell_index.h; rule 4.
 `include "cbvh_constants.vh"
 module own_grid #(
-    parameter N = 6
+    parameter N = 6,
+    parameter WIDTH = `CBVH_INDEX_BITS  // of the indices
 ) (
     input  wire signed [`CBVH_SCALE_BITS-1:0] scale,
-    input  wire signed [`CBVH_INDEX_BITS-1:0] lower,
+    input  wire signed [           WIDTH-1:0] lower,
     input  wire        [              N-1:0] cells,
     input  wire signed [`CBVH_SCALE_BITS-1:0] min_scale,
     input  wire                              figure5,
     output wire signed [`CBVH_SCALE_BITS-1:0] own_scale,
-    output wire signed [`CBVH_INDEX_BITS-1:0] own_lower
+    output wire signed [           WIDTH-1:0] own_lower
 );
   wire [3:0] finer;
   leading_zeros #(

@@ -22,13 +22,17 @@ module reencode_axis #(
     output wire        [`CBVH_SCALE_BITS-1:0] scale_after,
     output wire        [`CBVH_INDEX_BITS-1:0] lower_after
 );
-  // The cells on the old grid. A span of 0 means 2^N.
-  wire [N-1:0] base = old_lower[N-1:0] & {N{~relative}};
-  wire [N-1:0] r = lo - base;
-  wire [N-1:0] s = hi - base;
-  wire full = ~(|s);
-  wire signed [`CBVH_INDEX_BITS-1:0] old_from = old_lower + {{`CBVH_INDEX_BITS - N{1'b0}}, r};
-  wire signed [`CBVH_INDEX_BITS-1:0] old_to = old_lower + {{`CBVH_INDEX_BITS - N - 1{1'b0}}, full, s};
+  wire signed [`CBVH_INDEX_BITS-1:0] old_from, old_to;
+  decode_codes #(
+      .N(N)
+  ) old_cells (
+      .lo(lo),
+      .hi(hi),
+      .parent_lower(old_lower),
+      .relative(relative),
+      .lower(old_from),
+      .upper(old_to)
+  );
 
   // On the new one: the floor of the lower edge, the ceiling of the upper one, which is an exclusive edge already.
   wire [4:0] coarser = new_scale[4:0] - old_scale[4:0];

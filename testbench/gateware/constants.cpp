@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "rtl_model/datapath/traverse_payloads.h"
 #include "vectors/payloads.h"
 
 namespace cbvh::testbench {
@@ -140,6 +141,8 @@ std::string gateware_constants() {
   define_payload<vectors::BacktrackStep<2>, vectors::BacktrackStep<3>>(text, "backtrack_step");
   define_payload<vectors::BacktrackEvent<2>, vectors::BacktrackEvent<3>>(text, "backtrack_event");
   define_payload<vectors::StreamEvent<2>, vectors::StreamEvent<3>>(text, "stream_event");
+  define_payload<rtl::DecodeJob<2>, rtl::DecodeJob<3>>(text, "decode_job");
+  define_payload<rtl::DecodeResult>(text, "decode_result");
   return text + "\n`endif\n";
 }
 

@@ -42,7 +42,7 @@ if command -v iverilog >/dev/null; then
     tail -n 1 out | cmp - board || fail "$set: counts differ between the board with gateware and rtl"
     twins=$((twins + 1))
   done
-  ((twins == 8)) || fail "$twins twins behind the link, want 8"
+  ((twins == 9)) || fail "$twins twins behind the link, want 9"
 fi
 
 # Faults are drawn from the seed: a run is repeatable, and says what it did.

@@ -8,7 +8,7 @@ command -v iverilog >/dev/null || { echo "skipped: no iverilog"; trap - EXIT; ex
 
 # Vectors: all twins, all kinds of stalls; the same counts as the C++ modules.
 twins=(axis_compressor scale_estimator node_pair_compressor node_pair_compressor_serial context_stack backtrack_unit
-  treelet_collector stream_compressor)
+  treelet_collector stream_compressor box_decoder)
 for unit in "${twins[@]}"; do
   expect 0 units "$unit"
   says out "gateware,golden,rtl"

@@ -40,7 +40,9 @@ TEST_F(GatewareCoreTest, gives_the_models_responses_and_latencies_for_every_unit
                        {"node_pair_compressor", 4, 1}, {"node_pair_compressor_serial", 6, 1},
                        {"backtrack_unit", 6, 1, 8},    {"backtrack_unit", 8, 1, 8},
                        {"treelet_collector", 6, 1, 8}, {"treelet_collector", 4, 3, 8},
-                       {"stream_compressor", 6, 1, 8}, {"stream_compressor", 4, 2, 8}};
+                       {"stream_compressor", 6, 1, 8}, {"stream_compressor", 4, 2, 8},
+                       {"box_decoder", 6, 1},          {"box_decoder", 2, 1},
+                       {"box_decoder", 8, 1}};
   std::set<std::string> seen;
   for (const auto& [unit, bits, treelet, cases] : all) {
     GatewareCore gateware({.unit = unit, .bits = bits, .treelet = treelet});
