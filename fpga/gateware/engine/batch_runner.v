@@ -88,51 +88,19 @@ module batch_runner #(
   reg  [31:0] cycle, cycles, idle_left;
   reg took, pushed, popped, surplus, draining, more;
   wire [31:0] latency;
-`ifdef CBVH_UNIT_MEMORY
-  reg [31:0] event_cycle;
-  always @(posedge clk) if (state == LOOK) event_cycle <= sink_cycle;
-`else
-  wire [31:0] event_cycle = cycle;
-  wire unused_sink_cycle = |sink_cycle;
-`endif
-  generate
-    if (`CBVH_UNIT_STATE) begin : of_first_stimulus
-      reg [31:0] first;
-      reg        any;
-      always @(posedge clk) begin
-        if (state == BEGIN) any <= 1'b0;
-        if (state == EDGE && took && !any) begin
-          any   <= 1'b1;
-          first <= cycle;
-        end
-      end
-      assign latency = any ? event_cycle - first : 32'd0;
-    end else begin : of_own_stimulus
-      localparam INDEX_BITS = BUFFER_BITS - $clog2(STIMULUS_BYTES + 1) + 1;
-      reg [INDEX_BITS:0] accepted, given;
-      wire [31:0] own;
-      byte_memory #(
-          .ADDRESS_BITS(INDEX_BITS),
-          .WIDTH(32)
-      ) accepted_cycles (
-          .clk(clk),
-          .write(state == EDGE && took),
-          .write_address(accepted[INDEX_BITS-1:0]),
-          .write_data(cycle),
-          .read_address(given[INDEX_BITS-1:0]),
-          .read_data(own)
-      );
-      always @(posedge clk) begin
-        if (state == BEGIN) begin
-          accepted <= 0;
-          given    <= 0;
-        end
-        if (state == EDGE && took) accepted <= accepted + 1'b1;
-        if (state == STAMP && given != accepted) given <= given + 1'b1;
-      end
-      assign latency = given != accepted ? event_cycle - own : 32'd0;
-    end
-  endgenerate
+  latency_meter #(
+      .STIMULUS_BYTES(STIMULUS_BYTES),
+      .BUFFER_BITS(BUFFER_BITS)
+  ) meter (
+      .clk(clk),
+      .begins(state == BEGIN),
+      .looks(state == LOOK),
+      .takes(state == EDGE && took),
+      .gives(state == STAMP),
+      .cycle(cycle),
+      .sink_cycle(sink_cycle),
+      .latency(latency)
+  );
 
   // Results: the records where the last one ended, all else at header_at.
   wire [15:0] write_at = state == STORE ? out : header_at;

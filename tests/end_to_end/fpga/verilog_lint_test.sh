@@ -39,8 +39,8 @@ else
       lint "$(basename "$file") N=$n" "${parameters[@]}" -y "$gateware" -y "$gateware/harness" "-I$gateware" "$file"
     done
   done
-  # The board as a whole, with units with and without state, with and without N, one batch buffer and two.
-  for unit in AXIS_COMPRESSOR CONTEXT_STACK; do
+  # The board as a whole, with units with and without state, with and without N (in responses, in stimuli), one batch buffer and two.
+  for unit in AXIS_COMPRESSOR CONTEXT_STACK BOX_DECODER; do
     for buffers in 1 2; do
       top=(-s uart_board)
       if [[ $TOOL == verilator ]]; then top=(--top-module uart_board); fi
