@@ -100,6 +100,14 @@ std::vector<PlannedBatch> plan_batches(const vectors::VectorSet& set, const Boar
   return set.unit().stateful ? plan_episodes(set, room, device) : plan_stream(set, room, device);
 }
 
+std::size_t batch_bytes(const vectors::VectorSet& set, const PlannedBatch& batch) {
+  std::size_t bytes = Batch::kFixedBytes;
+  each_episode(set, batch, [&](vectors::VectorSet::Range stimuli, std::size_t wanted) {
+    bytes += episode_size(set, stimuli.size, wanted).in;
+  });
+  return bytes;
+}
+
 void append_batch(Bytes& out, const vectors::VectorSet& set, const PlannedBatch& batch, std::uint32_t number,
                   const RunLimits& limits) {
   append(out, number);

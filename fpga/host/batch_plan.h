@@ -28,7 +28,9 @@ struct PlannedBatch {
 std::vector<PlannedBatch> plan_batches(const vectors::VectorSet& set, const BoardHello& board,
                                        const std::string& device);
 
-/// Appends the payload of VECTORS.
+/// Bytes of the payload of VECTORS.
+std::size_t batch_bytes(const vectors::VectorSet& set, const PlannedBatch& batch);
+/// Appends that payload.
 void append_batch(Bytes& out, const vectors::VectorSet& set, const PlannedBatch& batch, std::uint32_t number,
                   const RunLimits& limits);
 

@@ -55,7 +55,7 @@ void BatchRun::send_batches() {
 }
 
 void BatchRun::send_batch(std::size_t batch) {
-  Bytes frame(kHeaderBytes);
+  Bytes frame = begin_frame(batch_bytes(set_, plan_[batch]));
   append_batch(frame, set_, plan_[batch], first_number_ + static_cast<std::uint32_t>(batch), limits_);
   if (!awaits_batch()) deadline_ = link_.deadline();
   probes_ = 0;
@@ -152,7 +152,12 @@ void BatchRun::handle_results(ByteSpan payload) {
                            results->number));
   }
   state.done = true;
-  state.results.assign(payload.begin(), payload.end());
+  if (batch == delivered_) {
+    deliver(*results, set_, plan_[batch], sink_);
+    ++delivered_;
+  } else {
+    state.results.assign(payload.begin(), payload.end());
+  }
   ++batches_done_;
   cases_done_ += plan_[batch].cases;
   session_.counters_.cases_done += plan_[batch].cases;

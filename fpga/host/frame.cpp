@@ -50,6 +50,13 @@ void append_frame(Bytes& out, FrameType type, std::uint32_t sequence, ByteSpan p
   append(out, crc32c(payload));
 }
 
+Bytes begin_frame(std::size_t payload) {
+  Bytes frame;
+  frame.reserve(frame_bytes(payload));
+  frame.resize(kHeaderBytes);
+  return frame;
+}
+
 void finish_frame(Bytes& frame, FrameType type, std::uint32_t sequence) {
   const ByteSpan payload = ByteSpan(frame).subspan(kHeaderBytes);
   Bytes header;

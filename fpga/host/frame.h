@@ -48,6 +48,8 @@ constexpr std::size_t frame_bytes(std::size_t payload) {
 
 void append_header(Bytes& out, const Header& header);
 void append_frame(Bytes& out, FrameType type, std::uint32_t sequence, ByteSpan payload = {});
+/// The beginning of a frame for finish_frame: kHeaderBytes, and room for so much payload and its checksum.
+Bytes begin_frame(std::size_t payload);
 /// Makes a frame of kHeaderBytes of anything and a payload: writes the header and appends the checksum.
 void finish_frame(Bytes& frame, FrameType type, std::uint32_t sequence);
 

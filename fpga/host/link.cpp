@@ -6,8 +6,7 @@
 namespace cbvh::host {
 
 std::uint32_t Link::send(FrameType type, ByteSpan payload) {
-  Bytes frame(kHeaderBytes);
-  frame.reserve(frame_bytes(payload.size()));
+  Bytes frame = begin_frame(payload.size());
   append(frame, payload);
   return send_in_place(type, std::move(frame));
 }

@@ -165,11 +165,20 @@ std::optional<OpenAnswer> OpenAnswer::parse(ByteSpan payload) {
   return if_finished(in, answer);
 }
 
-Bytes BatchResults::to_payload() const {
-  Bytes out;
+std::size_t BatchResults::payload_bytes() const {
   std::size_t size = kFixedBytes;
   for (const Episode& episode : episodes) size += kEpisodeBytes + episode.records.size();
-  out.reserve(size);
+  return size;
+}
+
+Bytes BatchResults::to_payload() const {
+  Bytes out;
+  out.reserve(payload_bytes());
+  append_payload(out);
+  return out;
+}
+
+void BatchResults::append_payload(Bytes& out) const {
   append(out, credit);
   append(out, number);
   append(out, cycles);
@@ -179,7 +188,6 @@ Bytes BatchResults::to_payload() const {
     append(out, episode.responses | (episode.hung ? kHung : 0) | (episode.more ? kMore : 0));
     append(out, episode.records);
   }
-  return out;
 }
 
 std::optional<BatchResults> BatchResults::parse(ByteSpan payload, std::size_t response_bytes) {

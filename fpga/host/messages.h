@@ -105,6 +105,8 @@ struct BatchResults {
   static constexpr std::size_t kFixedBytes = 16;
   static constexpr std::size_t kEpisodeBytes = 4;
   static constexpr std::size_t record_bytes(std::size_t response_bytes) { return 4 + response_bytes; }
+  std::size_t payload_bytes() const;
+  void append_payload(Bytes& out) const;
   Bytes to_payload() const;
   /// The episodes point into the payload.
   static std::optional<BatchResults> parse(ByteSpan payload, std::size_t response_bytes);

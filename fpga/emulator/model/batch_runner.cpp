@@ -7,31 +7,8 @@
 
 namespace cbvh::emulator {
 
-namespace {
-
 using host::Batch;
 using host::BatchResults;
-
-/// The stimuli of an episode: one case of a unit with state, as many cases as stimuli of one without.
-std::unique_ptr<vectors::VectorSet> make_episode(const Batch::Episode& episode, const OpenUnit& unit) {
-  auto set = vectors::make_set(*unit.unit, unit.parameters, 0);
-  const vectors::PayloadCodec& codec = set->stimulus_codec();
-  const std::size_t bytes = codec.packed_bytes();
-  const auto padding = static_cast<unsigned>(8 * bytes - codec.width);
-  host::Bytes packed(bytes);
-  if (unit.unit->stateful) set->begin_case(0, 0);
-  for (std::size_t i = 0; i < episode.stimuli; ++i) {
-    if (!unit.unit->stateful) set->begin_case(i, 0);
-    std::copy_n(episode.packed.begin() + static_cast<std::ptrdiff_t>(i * bytes), bytes, packed.begin());
-    packed.back() = static_cast<std::uint8_t>(packed.back() & (0xFFU >> padding));  // no wires are there
-    codec.unpack(packed.data(), set->add_stimulus());
-    if (!unit.unit->stateful) set->add_response();
-  }
-  for (std::size_t i = 0; unit.unit->stateful && i < episode.wanted; ++i) set->add_response();
-  return set;
-}
-
-}  // namespace
 
 std::uint64_t result_bytes(const Batch& batch, const OpenUnit& unit) {
   std::uint64_t bytes = BatchResults::kFixedBytes;
@@ -41,7 +18,25 @@ std::uint64_t result_bytes(const Batch& batch, const OpenUnit& unit) {
   return bytes;
 }
 
-BatchOutcome BatchRunner::run(const Batch& batch, const OpenUnit& unit, std::size_t most) const {
+/// The stimuli of an episode: one case of a unit with state, as many cases as stimuli of one without.
+const vectors::VectorSet& BatchRunner::make_episode(const Batch::Episode& episode, const OpenUnit& unit) {
+  if (!episode_ || &episode_->unit() != unit.unit || !(episode_->parameters() == unit.parameters)) {
+    episode_ = vectors::make_set(*unit.unit, unit.parameters, 0);
+  }
+  vectors::VectorSet& set = *episode_;
+  set.clear();
+  const vectors::PayloadCodec& codec = set.stimulus_codec();
+  const std::size_t bytes = codec.packed_bytes();
+  if (unit.unit->stateful) set.begin_case(0, 0);
+  for (std::size_t i = 0; i < episode.stimuli; ++i) {
+    if (!unit.unit->stateful) set.begin_case(i, 0);
+    codec.unpack(episode.packed.data() + i * bytes, set.add_stimulus());  // where padding is, there are no wires
+  }
+  for (std::size_t i = 0; unit.unit->stateful && i < episode.wanted; ++i) set.add_response();
+  return set;
+}
+
+BatchOutcome BatchRunner::run(const Batch& batch, const OpenUnit& unit, std::size_t most) {
   const vectors::PayloadCodec& codec = unit.unit->response(unit.parameters.bits);
   const std::size_t record_bytes = unit.record_bytes();
   std::size_t surplus_room = (most - static_cast<std::size_t>(result_bytes(batch, unit))) / record_bytes;
@@ -53,7 +48,7 @@ BatchOutcome BatchRunner::run(const Batch& batch, const OpenUnit& unit, std::siz
   outcome.records.resize(batch.episodes.size());
   for (std::size_t e = 0; e < batch.episodes.size(); ++e) {
     const Batch::Episode& wanted = batch.episodes[e];
-    const testbench::Responses given = backend_->run(*make_episode(wanted, unit), options);
+    const testbench::Responses given = backend_->run(make_episode(wanted, unit), options);
     cycles += given.cycles;
     BatchResults::Episode episode;
     std::size_t responses = 0;

@@ -39,10 +39,13 @@ class BatchRunner {
   const testbench::Backend& backend() const { return *backend_; }
   /// Every episode, as many responses as fit `most` bytes of payload; those wanted must fit. Throws what the modules
   /// throw.
-  BatchOutcome run(const host::Batch& batch, const OpenUnit& unit, std::size_t most) const;
+  BatchOutcome run(const host::Batch& batch, const OpenUnit& unit, std::size_t most);
 
  private:
+  const vectors::VectorSet& make_episode(const host::Batch::Episode& episode, const OpenUnit& unit);
+
   std::unique_ptr<testbench::Backend> backend_;
+  std::unique_ptr<vectors::VectorSet> episode_;  ///< the last one
 };
 
 }  // namespace cbvh::emulator

@@ -170,7 +170,9 @@ void ModelCore::take_vectors(std::uint32_t sequence, ByteSpan payload) {
   auto compute = [this, unit = *open_, bytes = Bytes(payload.begin(), payload.end())] {
     const auto parsed = host::Batch::parse(bytes, unit.stimulus_bytes());
     const BatchOutcome outcome = runner_.run(*parsed, unit, options_.greatest_payload_out);
-    return ComputedBatch{outcome.results.to_payload(), outcome.results.cycles};
+    Bytes frame = host::begin_frame(outcome.results.payload_bytes());
+    outcome.results.append_payload(frame);
+    return ComputedBatch{std::move(frame), outcome.results.cycles};
   };
   answer(FrameType::results, QueuedBatch{worker_.start(std::move(compute)), batch->number, sequence});
 }
@@ -247,8 +249,9 @@ void ModelCore::send_batch(QueuedBatch& queued) {
     cycles_ += computed.cycles;
     Bytes credit_bytes;
     host::append(credit_bytes, credit());
-    std::copy(credit_bytes.begin(), credit_bytes.end(), computed.payload.begin());
-    append_frame(FrameType::results, computed.payload);
+    std::copy(credit_bytes.begin(), credit_bytes.end(), computed.frame.begin() + host::kHeaderBytes);
+    host::finish_frame(computed.frame, FrameType::results, next_sequence_++);
+    sending_ = std::move(computed.frame);  // all before it has been sent
   } catch (const std::exception&) {
     const host::BoardError error{credit(), ErrorReason::internal, queued.sequence, queued.number};
     append_frame(FrameType::error, error.to_payload());

@@ -39,9 +39,9 @@ class ModelCore final : public Core {
  private:
   using Bytes = host::Bytes;
   using FrameType = host::FrameType;
-  /// What a batch has given: the payload of RESULTS, but for the credit.
+  /// What a batch has given: the frame of RESULTS, but for its header, credit and checksum.
   struct ComputedBatch {
-    Bytes payload;
+    Bytes frame;
     std::uint32_t cycles;
   };
   struct QueuedBatch {
@@ -74,7 +74,7 @@ class ModelCore final : public Core {
   void append_frame(FrameType type, const Bytes& payload);
 
   const CoreOptions options_;
-  const BatchRunner runner_;
+  BatchRunner runner_;                                 ///< its batches are the worker's
   const std::vector<vectors::UnitDescription> units_;  ///< on offer
   host::FrameReader reader_;
   host::FrameReader::Counters counted_before_;  ///< what the reader had counted at the last restart
