@@ -37,7 +37,7 @@ area context_stack 100 50 14
 area backtrack_unit 2000 300 10
 area treelet_collector 5000 1000 50
 area stream_compressor 10000 2000 60
-area box_decoder 2000 600 0
+area box_decoder 2000 500 0
 (($(grep -c '^|' out) == 12)) || fail "want ten rows below two of a header"
 
 # A copy of the tree with one file broken. broken FILE SED: exactly one line of fpga/FILE differs.
