@@ -2,9 +2,11 @@
 #include "golden/build/builder.h"
 
 #include "golden/build/binned.h"
+#include "golden/build/generic.h"
 #include "golden/build/kdtree.h"
 #include "golden/build/lbvh.h"
 #include "golden/build/median.h"
+#include "golden/build/presplit.h"
 #include "golden/build/spatial.h"
 #include "golden/build/sweep.h"
 #include "golden/input_error.h"
@@ -24,8 +26,9 @@ const BuilderKind& kind_of(const std::string& place, std::string_view descriptio
 }  // namespace
 
 const std::vector<BuilderKind>& builder_kinds() {
-  static const std::vector<BuilderKind> all = {lbvh_builder(),   sweep_builder(),   binned_builder(),
-                                               median_builder(), spatial_builder(), kdtree_builder()};
+  static const std::vector<BuilderKind> all = {
+      lbvh_builder(),   sweep_builder(),     binned_builder(),  median_builder(),      spatial_builder(),
+      kdtree_builder(), geometric_builder(), generic_builder(), early_split_builder(), edge_volume_builder()};
   return all;
 }
 
