@@ -82,7 +82,7 @@ std::vector<SpaceTree> paper_space_trees() {
   const auto with_costs = [](const std::string& builder) { return fmt::format("{},{}", builder, kCosts); };
   const std::string everything = kEverything;
   return {{"C-BVH", with_costs("sweep")},
-          {"GP-BVH", with_costs("geometric,resolution=16")},
+          {"GP-BVH", with_costs("geometric,resolution=64")},
           {"GP-BVH, recursive", with_costs("generic,oracle=centroid+grid,split=0,recursion=16")},
           {"EVH-BVH, t = 14", with_costs("edge-volume,t=14")},
           {"EVH-BVH, t = 16", with_costs("edge-volume,t=16")},

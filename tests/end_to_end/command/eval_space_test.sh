@@ -3,14 +3,14 @@
 # eval space: trees of space beside trees of objects, every one covering its triangles and giving rays the same hits.
 source "$SOURCE/tests/end_to_end/command/expect.sh"
 
-expect 0 eval space rotated:proc:city,triangles=400 --rays 2000 --overlap 0,10 --json report.json --csv report.csv
+expect 0 eval space rotated:proc:city,triangles=150 --rays 2000 --overlap 0,10 --json report.json --csv report.csv
 json "j['failures'] == [] and j['checks'] == 2 + 4 * (len(j['tables']['space']['rows']) - 1 + 2)"
 json "{'C-BVH', 'G-BVH', 'KD-BVH', 'SS-BVH'} <= set(r['tree'] for r in j['tables']['space']['rows'])"
 json "all(r['paper_size_ratio'] is None for r in j['tables']['space']['rows'])"
 json "all(r['through_cost'] > r['terminating_cost'] > 0 for r in j['tables']['space_rays']['rows'])"
 json "[r['overlap'] for r in j['tables']['space_overlap']['rows']] == [0, 10]"
 grep -q '^space,.*/SS-BVH,terminating_ratio,0\.' report.csv
-expect 0 eval space rotated:proc:city,triangles=400 --rays 2000 --overlap 0,10 --threads 2 --json other.json
+expect 0 eval space rotated:proc:city,triangles=150 --rays 2000 --overlap 0,10 --threads 2 --json other.json
 python3 - <<'PYTHON' || fail "threads change results"
 import json
 def figures(name):
