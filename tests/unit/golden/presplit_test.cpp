@@ -34,6 +34,19 @@ TEST(Presplit, trees_of_trouble_cover_every_triangle_exactly_and_stream_as_top_d
   EXPECT_GT(shared, 60U);
 }
 
+TEST(Presplit, an_edge_whose_middle_is_not_in_binary64_leaves_no_gap) {
+  // The middle is (1/2 + 2^-61, 1/2, 1/2). Rounded, the first half would end at x = 1/2, and the second one begin at
+  // y = 1/2: what the edge has between them would be in neither box.
+  Mesh mesh;
+  mesh.name = "edge";
+  mesh.positions = {{0x1p-60F, 0, 0}, {1, 1, 1}, {0, 1, 0.5F}};
+  mesh.triangles = {{0, 1, 2}};
+  const FloatTree tree = build("edge-volume,t=1,leaf=1", mesh);
+  EXPECT_EQ(tree.leaves, 2U);
+  EXPECT_TRUE(check_tree(tree, mesh).empty());
+  EXPECT_TRUE(coverage_gaps(tree, mesh).empty());
+}
+
 TEST(Presplit, trees_of_larger_scenes_cover_and_are_the_same_every_time) {
   const Mesh mesh = load_scene("rotated:proc:city,triangles=300");
   for (const char* const builder : {"early-split,area=0.001", "edge-volume,t=12"}) {
