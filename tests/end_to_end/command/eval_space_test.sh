@@ -8,6 +8,7 @@ json "j['failures'] == [] and j['checks'] == 2 + 4 * (len(j['tables']['space']['
 json "{'C-BVH', 'G-BVH', 'KD-BVH', 'SS-BVH'} <= set(r['tree'] for r in j['tables']['space']['rows'])"
 json "all(r['paper_size_ratio'] is None for r in j['tables']['space']['rows'])"
 json "all(r['through_cost'] > r['terminating_cost'] > 0 for r in j['tables']['space_rays']['rows'])"
+json "all(abs(r['through_cost'] / r['expected'] - 1) < 0.05 for r in j['tables']['space_rays']['rows'])"
 json "[r['overlap'] for r in j['tables']['space_overlap']['rows']] == [0, 10]"
 grep -q '^space,.*/SS-BVH,terminating_ratio,0\.' report.csv
 expect 0 eval space rotated:proc:city,triangles=150 --rays 2000 --overlap 0,10 --threads 2 --json other.json
