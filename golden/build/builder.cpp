@@ -2,11 +2,12 @@
 #include "golden/build/builder.h"
 
 #include "golden/build/binned.h"
+#include "golden/build/early_split.h"
+#include "golden/build/edge_volume.h"
 #include "golden/build/generic.h"
 #include "golden/build/kdtree.h"
 #include "golden/build/lbvh.h"
 #include "golden/build/median.h"
-#include "golden/build/presplit.h"
 #include "golden/build/spatial.h"
 #include "golden/build/sweep.h"
 #include "golden/input_error.h"

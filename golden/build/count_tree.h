@@ -21,7 +21,7 @@ struct ChildBoxes {
 /// area, of equal ones the first; into both boxes if it takes both to hold it and pieces may be split (section 4.1).
 enum class Side : std::uint8_t { first, second, both, nowhere };
 
-/// Which boxes hold pieces, and in which order they are asked.
+/// Where pieces go, for two boxes.
 class SideRule {
  public:
   SideRule(const std::array<Box, 2>& boxes, bool may_split)

@@ -1,16 +1,49 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "golden/build/builder.h"
+#include <algorithm>
+#include <cstdint>
+#include <queue>
+#include <vector>
+
+#include "golden/build/build_limits.h"
+#include "golden/build/piece.h"
 
 namespace cbvh::golden {
 
-/// Early split clipping (Ernst, Greiner 2007; ESC-BVH of paper 001, section 5.1): before the centroid sweep, triangles
-/// whose boxes have too much area are clipped to halves of them, along the longest axis.
-BuilderKind early_split_builder();
+/// Divides pieces as long as they are too large, those of the largest measure first, until there are `most`. Of equals
+/// the one that came first. `Shard` has a measure and a piece; halves_of(shard) gives its parts.
+template <class Shard, class HalvesOf>
+std::vector<Piece> divide_largest(std::vector<Shard> shards, double too_large, std::uint64_t most,
+                                  const HalvesOf& halves_of) {
+  const auto later = [&](std::size_t a, std::size_t b) {
+    return shards[a].measure < shards[b].measure || (shards[a].measure == shards[b].measure && a > b);
+  };
+  std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(later)> waiting(later);
+  const auto wait = [&](std::size_t i) {
+    if (shards[i].measure > too_large) waiting.push(i);
+  };
+  for (std::size_t i = 0; i < shards.size(); ++i) wait(i);
+  while (!waiting.empty() && shards.size() < most) {
+    const std::size_t i = waiting.top();
+    waiting.pop();
+    std::vector<Shard> halves = halves_of(shards[i]);
+    if (halves.empty()) continue;
+    for (std::size_t k = 1; k < halves.size(); ++k) {
+      shards.push_back(halves[k]);
+      wait(shards.size() - 1);
+    }
+    shards[i] = halves[0];
+    wait(i);
+  }
+  std::vector<Piece> pieces;
+  pieces.reserve(shards.size());
+  for (const Shard& shard : shards) pieces.push_back(shard.piece);
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.id < b.id; });
+  return pieces;
+}
 
-/// The edge volume heuristic (Dammertz, Keller 2008; EVH-BVH of the same): before the centroid sweep, triangles with an
-/// edge around which the box has too much volume are divided at its middle.
-BuilderKind edge_volume_builder();
+/// The sweep's tree over pieces that divide_largest left. A leaf that holds several of one triangle names it once.
+FloatTree sweep_pieces(const std::vector<Piece>& pieces, const Mesh& mesh, const OptionValues& options);
 
 }  // namespace cbvh::golden

@@ -1,7 +1,5 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 // Triangles split before the sweep: early split clipping and the edge volume heuristic.
-#include "golden/build/presplit.h"
-
 #include <gtest/gtest.h>
 
 #include "built_tree_checks.h"
