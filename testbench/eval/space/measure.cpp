@@ -90,10 +90,11 @@ class Measuring {
 SpaceMeasures measure_space(const SpaceJob& job) {
   std::vector<SpaceTree> trees;
   for (const std::string& builder : job.builders) {
-    golden::Builder("--builder", builder);
-    trees.push_back({builder, builder});
+    const golden::Builder named("--builder", builder);
+    trees.push_back({named.text(), named.text()});
   }
   if (trees.empty()) trees = paper_space_trees();
+  for (const double penalty : job.penalties) const golden::Builder named("--overlap", overlap_tree(penalty).builder);
   std::vector<golden::Mesh> meshes;
   for (const std::string& scene : job.scenes) meshes.push_back(golden::load_scene(scene));
   Progress progress("eval space", meshes.size() * (trees.size() + job.penalties.size()));

@@ -99,7 +99,7 @@ std::vector<SpaceTree> paper_space_trees() {
 }
 
 SpaceTree overlap_tree(double penalty) {
-  return {fmt::format("C_O = {:g}", penalty), fmt::format("{},overlap={:g},{}", kEverything, penalty, kCosts)};
+  return {fmt::format("C_O = {}", penalty), fmt::format("{},overlap={},{}", kEverything, penalty, kCosts)};
 }
 
 std::string builder_text(const SpaceTree& tree, std::uint64_t triangles) {

@@ -25,6 +25,6 @@ json "[r['tree'] for r in j['tables']['space']['rows']] == ['sweep', 'geometric'
 
 refuses "wanted one of lbvh" eval space proc:cloth --builder octree
 refuses "--rays: found 0" eval space proc:cloth --rays 0
-refuses "overlap: found" eval space proc:soup,triangles=20 --overlap -1
+refuses "cbvh: --overlap: option overlap: found '-1'" eval space proc:soup,triangles=20 --overlap -1
 refuses "its box has no volume" eval space proc:terrain,height=0,triangles=50
 refuses "nothere.glb" eval space nothere.glb
