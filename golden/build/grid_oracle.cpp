@@ -63,6 +63,11 @@ std::vector<GridOracle::Intervals> GridOracle::intervals(const Box& node, int ax
   return all;
 }
 
+void GridOracle::keep(const std::function<bool(int axis, const Intervals&)>& will_do) {
+  for (int axis = 0; axis < 3; ++axis)
+    std::erase_if(axes_[static_cast<std::size_t>(axis)], [&](const Intervals& tried) { return !will_do(axis, tried); });
+}
+
 void GridOracle::for_each(const std::function<void(const std::array<Box, 2>&)>& visit) const {
   const auto set = [](std::array<Box, 2>& boxes, int axis, const Intervals& intervals) {
     boxes[0].lower[axis] = intervals.first[0];

@@ -18,15 +18,18 @@ class GridOracle {
 
   const std::array<int, 3>& resolution() const { return resolution_; }
 
-  /// Every pair of boxes that together reach all sides of the node, each once whichever box comes first.
-  void for_each(const std::function<void(const std::array<Box, 2>&)>& visit) const;
-
- private:
-  /// Two intervals on an axis.
+  /// The two boxes' intervals on an axis.
   struct Intervals {
     std::array<float, 2> first;
     std::array<float, 2> second;
   };
+  /// Leaves out the boxes whose intervals on an axis will not do, whatever they are on the others.
+  void keep(const std::function<bool(int axis, const Intervals&)>& will_do);
+
+  /// Every pair of boxes that together reach all sides of the node, each once whichever box comes first.
+  void for_each(const std::function<void(const std::array<Box, 2>&)>& visit) const;
+
+ private:
   std::vector<Intervals> intervals(const Box& node, int axis) const;
 
   std::array<int, 3> resolution_{1, 1, 1};

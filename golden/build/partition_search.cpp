@@ -54,10 +54,24 @@ void search_planes(std::span<const Piece> pieces, const Box& node, Shortlist& fo
   });
 }
 
+/// Whether an axis alone shows that these intervals leave a piece out: it is in neither, and they may not or do not
+/// hold it together.
+bool leaves_out(const Piece& piece, int axis, const GridOracle::Intervals& intervals, bool may_split) {
+  const float lower = piece.box.lower[axis];
+  const float upper = piece.box.upper[axis];
+  const auto& [first, second] = intervals;
+  if ((first[0] <= lower && upper <= first[1]) || (second[0] <= lower && upper <= second[1])) return false;
+  return !may_split || first[1] < second[0] || second[1] < first[0];
+}
+
 void search_grid(std::span<const Piece> pieces, const Box& node, const Mesh& mesh, const SearchRules& rules,
                  const OverlapPenalty& penalty, Shortlist& found) {
   const auto count = static_cast<double>(pieces.size());
-  const GridOracle oracle(node, std::sqrt(rules.resolution * count));
+  GridOracle oracle(node, std::sqrt(rules.resolution * count));
+  oracle.keep([&](int axis, const GridOracle::Intervals& intervals) {
+    return std::none_of(pieces.begin(), pieces.end(),
+                        [&](const Piece& piece) { return leaves_out(piece, axis, intervals, rules.may_split); });
+  });
   CountTree tree(pieces, mesh);
   oracle.for_each([&](const std::array<Box, 2>& boxes) {
     // What can be seen without counting: every piece is in the smaller box, and the factor.
