@@ -81,5 +81,6 @@ template CommandOption Command::add_option(const std::string&, double&, const st
 template CommandOption Command::add_option(const std::string&, std::optional<std::uint64_t>&, const std::string&) const;
 template CommandOption Command::add_option(const std::string&, std::vector<std::string>&, const std::string&) const;
 template CommandOption Command::add_option(const std::string&, std::vector<std::uint64_t>&, const std::string&) const;
+template CommandOption Command::add_option(const std::string&, std::vector<double>&, const std::string&) const;
 
 }  // namespace cbvh::testbench

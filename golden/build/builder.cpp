@@ -2,6 +2,9 @@
 #include "golden/build/builder.h"
 
 #include "golden/build/binned.h"
+#include "golden/build/early_split.h"
+#include "golden/build/edge_volume.h"
+#include "golden/build/generic.h"
 #include "golden/build/kdtree.h"
 #include "golden/build/lbvh.h"
 #include "golden/build/median.h"
@@ -24,8 +27,9 @@ const BuilderKind& kind_of(const std::string& place, std::string_view descriptio
 }  // namespace
 
 const std::vector<BuilderKind>& builder_kinds() {
-  static const std::vector<BuilderKind> all = {lbvh_builder(),   sweep_builder(),   binned_builder(),
-                                               median_builder(), spatial_builder(), kdtree_builder()};
+  static const std::vector<BuilderKind> all = {
+      lbvh_builder(),   sweep_builder(),     binned_builder(),  median_builder(),      spatial_builder(),
+      kdtree_builder(), geometric_builder(), generic_builder(), early_split_builder(), edge_volume_builder()};
   return all;
 }
 

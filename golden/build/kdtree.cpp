@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "golden/build/kdtree.h"
 
+#include "golden/build/piece_build.h"
 #include "golden/build/space_split.h"
 
 namespace cbvh::golden {

@@ -1,9 +1,10 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "golden/build/plane_sweep.h"
+
 #include <algorithm>
+#include <array>
 #include <vector>
 
-#include "golden/build/clip.h"
-#include "golden/build/space_split.h"
 #include "golden/build/wide_box.h"
 
 namespace cbvh::golden {
@@ -64,21 +65,29 @@ void keep_cheaper(PlaneSplit split, double cost, PlaneSplit& best) {
 
 }  // namespace
 
-PlaneSplit best_plane(std::span<const Piece> pieces, const Box& cell, bool empty_sides) {
-  PlaneSplit best;
+void for_each_plane(std::span<const Piece> pieces, const Box& cell, bool empty_sides,
+                    const std::function<void(const PlaneSplit&)>& visit) {
   for (int axis = 0; axis < 3; ++axis) {
     const Events events(pieces, axis);
     Sweep sweep(events);
     for (const float plane : events.planes) {
       const double left_area = half_area(below(cell, axis, plane));
       const double right_area = half_area(above(cell, axis, plane));
-      for (const PlaneSplit& split : sweep.at(plane, axis)) {
+      for (PlaneSplit split : sweep.at(plane, axis)) {
         const bool cuts = plane > cell.lower[axis] && plane < cell.upper[axis];
         if ((split.left == 0 || split.right == 0) && !(empty_sides && cuts)) continue;
-        keep_cheaper(split, left_area * split.left + right_area * split.right, best);
+        split.cost = left_area * split.left + right_area * split.right;
+        visit(split);
       }
     }
   }
+}
+
+PlaneSplit best_plane(std::span<const Piece> pieces, const Box& cell, bool empty_sides) {
+  PlaneSplit best;
+  for_each_plane(pieces, cell, empty_sides, [&](const PlaneSplit& split) {
+    if (split.cost < best.cost) best = split;
+  });
   return best;
 }
 
@@ -116,9 +125,8 @@ PlaneSplit best_plane_exactly(std::span<const Piece> pieces, const Mesh& mesh) {
         });
         WideBox box = passed;
         for (const std::uint32_t i : queue) {
-          const glm::uvec3& t = mesh.triangles[pieces[i].id];
           const Box& whole = pieces[i].box;
-          const auto part = clipped_box({mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]},
+          const auto part = clipped_box(corners_of(mesh, pieces[i].id),
                                         upwards ? below(whole, axis, plane) : above(whole, axis, plane));
           if (part) box.enclose(widened(*part));
         }

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
-#include "golden/build/build_limits.h"
-#include "golden/build/node_tree.h"
 #include "golden/build/radix_order.h"
 #include "golden/build/sah_bins.h"
 
@@ -39,7 +38,7 @@ class SweepBuild {
     build({0, count, 0, 1, limits.depth});
   }
 
-  const NodeTree& tree() const { return tree_; }
+  NodeTree take() && { return std::move(tree_); }
 
  private:
   float centroid(std::uint32_t id, int axis) const { return boxes_[id].centroid()[axis]; }
@@ -130,10 +129,14 @@ class SweepBuild {
 FloatTree build(const Mesh& mesh, const OptionValues& options) {
   const std::vector<Box> boxes = triangle_boxes(mesh);
   const BuildLimits limits = build_limits(options, boxes.size(), mesh.name);
-  return emit(SweepBuild(boxes, limits).tree(), boxes.size(), mesh.name);
+  return emit(sweep_tree(boxes, limits), boxes.size(), mesh.name);
 }
 
 }  // namespace
+
+NodeTree sweep_tree(const std::vector<Box>& boxes, const BuildLimits& limits) {
+  return SweepBuild(boxes, limits).take();
+}
 
 BuilderKind sweep_builder() {
   return {"sweep", "SAH at every centroid of three axes (Wald, Ize, Parker, what section 4 compares with)",

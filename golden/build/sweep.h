@@ -1,7 +1,11 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
+#include "golden/build/build_limits.h"
 #include "golden/build/builder.h"
+#include "golden/build/node_tree.h"
 
 namespace cbvh::golden {
 
@@ -10,5 +14,8 @@ namespace cbvh::golden {
 /// Sorted once and kept sorted: O(n log n). Leaves, nodes without area and nodes that would not fit the levels left are
 /// treated as in binned.h.
 BuilderKind sweep_builder();
+
+/// The same tree over boxes; its references are their indices.
+NodeTree sweep_tree(const std::vector<Box>& boxes, const BuildLimits& limits);
 
 }  // namespace cbvh::golden

@@ -31,8 +31,11 @@ class CounterRandom {
   std::uint64_t counter_;
 };
 
+/// A direction of length 1, all alike. Square roots are its only functions, so it is the same bits everywhere.
+glm::dvec3 any_direction(CounterRandom& random);
+
 /// A direction of length 1 around a normal of length 1, denser in proportion to the cosine between them: light that a
-/// diffuse surface reflects. Square roots are its only functions, so it is the same bits everywhere.
+/// diffuse surface reflects. The same bits everywhere, too.
 glm::dvec3 diffuse_direction(const glm::dvec3& normal, CounterRandom& random);
 
 }  // namespace cbvh::golden

@@ -25,6 +25,7 @@ made 03_lockstep lockstep --cycles 600
 made 04_eval eval "${scenes[@]}"
 made 05_builders eval builders "${scenes[@]}"
 made 06_two_level eval two-level
+made 12_space eval space
 made 07_build build "${scenes[0]}"
 made 08_sim sim "${scenes[0]}"
 made 09_refit refit "${scenes[0]}" "${scenes[0]}" --twist 0.2 --frames 4

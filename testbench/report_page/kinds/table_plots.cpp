@@ -182,6 +182,28 @@ Markup draw_two_level(const Json& tables, Figures& figures) {
   return draw(chart, figures);
 }
 
+Markup draw_space(const Json& tables, Figures& figures) {
+  BarChart chart{"Random rays with early termination", "cost over the first tree's", {"cost"}, {}, "the paper's"};
+  for (const Json& row : rows(tables, "space")) {
+    if (const auto ratio = number(row, "terminating_ratio"))
+      chart.bars.push_back({text(row, "scene"), text(row, "tree"), {*ratio}, number(row, "paper_terminating_ratio")});
+  }
+  return draw(chart, figures);
+}
+
+Markup draw_space_overlap(const Json& tables, Figures& figures) {
+  Plot plot{"Cost of random rays over the penalty on overlap, after Figure 6",
+            {"C_O", true},
+            {"cost over that without penalty"},
+            {}};
+  for (const Json& row : rows(tables, "space_overlap")) {
+    const auto overlap = number(row, "overlap");
+    const auto ratio = number(row, "terminating_ratio");
+    if (overlap && ratio) series_of(plot.series, text(row, "scene")).points.push_back({*overlap, *ratio});
+  }
+  return draw(plot, figures);
+}
+
 /// A plot of one figure over the frames, for every scene and kind of trees.
 Markup draw_frames(const Json& tables, const char* key, const Axis& y, Figures& figures) {
   std::vector<Plot> plots;
@@ -213,6 +235,8 @@ Markup draw_table(const std::string& key, const Json& tables, Figures& figures) 
                                                         {"figure7", draw_figure7},
                                                         {"figure10", draw_figure10},
                                                         {"builder_compression", draw_builders},
+                                                        {"space", draw_space},
+                                                        {"space_overlap", draw_space_overlap},
                                                         {"two_level", draw_two_level},
                                                         {"two_level_every_frame", draw_two_level_frames}};
   const auto found = drawings.find(key);

@@ -22,15 +22,16 @@ expect 0 regress --unit axis_compressor --unit scale_estimator --json regress.js
 expect 0 eval "$small" proc:cloth,sheet=20,height=20 --json eval.json
 expect 0 eval builders "$small" --json builders.json
 expect 0 eval two-level "bounce,count=20:$small" --json two_level.json
+expect 0 eval space "rotated:proc:city,triangles=200" --rays 1000 --overlap 0,10,1000 --json space.json
 expect 0 build "$small" --json build.json
 expect 0 sim "$small" --json sim.json
 expect 0 refit "$small" "$small" --twist 0.2 --frames 3 --json refit.json
 expect 0 animate "proc:explode,triangles=2000,time={time}" --frames 6 --width 40 --height 30 --json animate.json
 expect 0 bench --cases 1000 --scene "$small" --sizes 1000 3000 --json bench.json
 picture 'a<b>&".png' 64 48
-results=(units.json regress.json eval.json builders.json two_level.json build.json sim.json refit.json animate.json bench.json)
+results=(units.json regress.json eval.json builders.json two_level.json space.json build.json sim.json refit.json animate.json bench.json)
 expect 0 report "${results[@]}" 'a<b>&".png' -o report.html
-says out "report.html: 10 results, 1 pictures;"
+says out "report.html: 11 results, 1 pictures;"
 
 # browse PAGE OPTION...: opens it; messages are what its console has, requests what it asked the network for.
 browse() {

@@ -1,6 +1,6 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 // Builders that split triangles: planes, clipping, coverage, budgets.
-#include "golden/build/space_split.h"
+#include "golden/build/spatial.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 
 #include "built_tree_checks.h"
 #include "golden/build/clip.h"
+#include "golden/build/plane_sweep.h"
 #include "golden/input_error.h"
 #include "golden/scene/load.h"
 #include "golden/scene/trouble_scenes.h"
