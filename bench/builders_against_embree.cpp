@@ -1,9 +1,11 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 // Our builders beside Embree's on the same meshes, in one run: seconds from triangles to tree, the least of several
 // rounds in which all take turns, and the SAH cost of the trees, counted the same way. Ratios are ours to Embree's.
+// With --scaling: what a second thread brings our builders, in the same way.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 
 #include "bench/embree_tree.h"
@@ -22,28 +24,50 @@ struct Comparison {
 constexpr Comparison kComparisons[] = {{"lbvh", RTC_BUILD_QUALITY_LOW, "LOW"},
                                        {"binned", RTC_BUILD_QUALITY_MEDIUM, "MEDIUM"},
                                        {"binned,bins=32", RTC_BUILD_QUALITY_MEDIUM, "MEDIUM"},
-                                       {"sweep", RTC_BUILD_QUALITY_MEDIUM, "MEDIUM"}};
+                                       {"sweep", RTC_BUILD_QUALITY_MEDIUM, "MEDIUM"},
+                                       {"spatial", RTC_BUILD_QUALITY_HIGH, "HIGH"}};
+
+constexpr const char* kThreaded[] = {"binned", "binned,bins=32", "binned,top=grid", "median"};
 
 struct Settings {
   std::vector<std::string> scenes;
+  std::vector<std::string> only;
   int rounds = 7;
   int threads = 1;
   int leaf = 4;
+  bool scaling = false;
+
+  bool has(const std::string& builder) const {
+    return only.empty() || std::find(only.begin(), only.end(), builder) != only.end();
+  }
 };
 
-std::string with_options(const char* ours, const golden::BuilderKind& kind, const Settings& settings) {
-  std::string text = ours;
+/// "NAME[,key=value...]" with these options too, as far as it has them.
+golden::Builder builder_with(const std::string& description, int leaf, int threads) {
+  const golden::BuilderKind& kind = golden::Builder("builder", description).kind();
+  std::string text = description;
   const auto add = [&](const char* name, int value) {
     if (golden::find_named(kind.options, name) != nullptr) text += fmt::format(",{}={}", name, value);
   };
-  add("threads", settings.threads);
-  add("leaf", settings.leaf);
-  return text;
+  add("leaf", leaf);
+  add("threads", threads);
+  return {"builder", text};
+}
+
+struct TimedTree {
+  double seconds;  ///< from triangles to tree
+  golden::FloatTree tree;
+};
+
+TimedTree timed_build(const golden::Builder& builder, const golden::Mesh& mesh) {
+  const auto start = std::chrono::steady_clock::now();
+  golden::FloatTree tree = builder.build(mesh);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {seconds, std::move(tree)};
 }
 
 void compare(const golden::Mesh& mesh, const Comparison& pair, const Embree& embree, const Settings& settings) {
-  const golden::BuilderKind* kind = golden::find_named(golden::builder_kinds(), golden::name_of(pair.ours));
-  const golden::Builder builder("builder", with_options(pair.ours, *kind, settings));
+  const golden::Builder builder = builder_with(pair.ours, settings.leaf, settings.threads);
   const golden::SahCosts costs;
   double ours = 1e9;
   double theirs = 1e9;
@@ -51,10 +75,9 @@ void compare(const golden::Mesh& mesh, const Comparison& pair, const Embree& emb
   double our_sah = 0;
   double their_sah = 0;
   for (int round = 0; round < settings.rounds; ++round) {
-    const auto start = std::chrono::steady_clock::now();
-    const golden::FloatTree tree = builder.build(mesh);
-    ours = std::min(ours, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    our_sah = golden::sah(tree, costs);
+    const TimedTree mine = timed_build(builder, mesh);
+    ours = std::min(ours, mine.seconds);
+    our_sah = golden::sah(mine.tree, costs);
     const Embree::Tree other = embree.build(mesh, pair.quality, static_cast<unsigned>(settings.leaf), costs);
     theirs = std::min(theirs, other.seconds);
     their_sah = other.sah;
@@ -65,23 +88,53 @@ void compare(const golden::Mesh& mesh, const Comparison& pair, const Embree& emb
              ours / scene, our_sah, their_sah, our_sah / their_sah);
 }
 
-int run(int argc, char** argv) {
-  CLI::App app("Our builders against Embree's: build time and SAH cost");
-  Settings settings;
-  app.add_option("scene", settings.scenes, "as cbvh build takes them")->required()->type_name("SCENE");
-  app.add_option("--rounds", settings.rounds, "the least time of so many counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--threads", settings.threads, "for both")->check(CLI::Range(1, 256))->capture_default_str();
-  app.add_option("--leaf", settings.leaf, "most triangles a leaf")->check(CLI::Range(1, 32))->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+void compare_all(const Settings& settings) {
   const Embree embree(settings.threads);
   fmt::print("{:24} {:16} {:>8} {:8} {:>8} {:>6} {:>9} {:>6} {:>8} {:>8} {:>7}\n", "scene", "ours", "ms", "Embree",
              "tree ms", "ratio", "commit ms", "ratio", "SAH", "Embree", "ratio");
   for (const std::string& scene : settings.scenes) {
     const golden::Mesh mesh = golden::load_scene(scene);
-    for (const Comparison& pair : kComparisons) compare(mesh, pair, embree, settings);
+    for (const Comparison& pair : kComparisons) {
+      if (settings.has(pair.ours)) compare(mesh, pair, embree, settings);
+    }
   }
+}
+
+/// One thread and two, in turns.
+void scale_all(const Settings& settings) {
+  fmt::print("{:24} {:16} {:>8} {:>10} {:>7}\n", "scene", "ours", "ms", "2 threads", "faster");
+  for (const std::string& scene : settings.scenes) {
+    const golden::Mesh mesh = golden::load_scene(scene);
+    for (const char* ours : kThreaded) {
+      if (!settings.has(ours)) continue;
+      double one = 1e9;
+      double two = 1e9;
+      for (int round = 0; round < settings.rounds; ++round) {
+        one = std::min(one, timed_build(builder_with(ours, settings.leaf, 1), mesh).seconds);
+        two = std::min(two, timed_build(builder_with(ours, settings.leaf, 2), mesh).seconds);
+      }
+      fmt::print("{:24} {:16} {:8.2f} {:10.2f} {:7.2f}\n", mesh.name.substr(0, 24), ours, one * 1e3, two * 1e3,
+                 one / two);
+    }
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Our builders against Embree's: build time and SAH cost");
+  Settings settings;
+  app.add_option("scene", settings.scenes, "as cbvh build takes them")->required()->type_name("SCENE");
+  app.add_option("--only", settings.only, "this row of the table; again for more of them")
+      ->allow_extra_args(false)
+      ->type_name("BUILDER");
+  app.add_option("--rounds", settings.rounds, "the least time of so many counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  CLI::Option* threads =
+      app.add_option("--threads", settings.threads, "for both")->check(CLI::Range(1, 256))->capture_default_str();
+  app.add_option("--leaf", settings.leaf, "most triangles a leaf")->check(CLI::Range(1, 32))->capture_default_str();
+  app.add_flag("--scaling", settings.scaling, "ours alone, with one thread and with two")->excludes(threads);
+  CLI11_PARSE(app, argc, argv);
+  settings.scaling ? scale_all(settings) : compare_all(settings);
   return 0;
 }
 

@@ -18,49 +18,55 @@ constexpr int kGridLevels = 6;
 class BinnedSubtrees {
  public:
   BinnedSubtrees(const BuildLimits& limits, int bins, SubtreeArrays& arrays)
-      : limits_(limits), bins_(bins), arrays_(arrays) {}
+      : limits_(limits), bin_count_(bins), bins_(bins), arrays_(arrays) {}
 
-  /// At most 64 deep.
-  void build(const Subtree& node) {
-    const double area = half_area(node.box);
-    if (limits_.prefer_leaf(node.count, node.levels, area, 0)) return arrays_.make_leaf(node);
-    if (node.count <= static_cast<std::uint32_t>(bins_)) {
-      build_swept(node, area);
-    } else {
-      build_binned(node, area);
-    }
-  }
+  void build(const Subtree& node) { build(node, arrays_.centroids(node)); }
 
  private:
-  void build_swept(const Subtree& node, double area) {
+  /// At most 64 deep. `centroids`: their box.
+  void build(const Subtree& node, const WideBox& centroids) {
+    if (node.count <= static_cast<std::uint32_t>(bin_count_)) return build_swept(node);
+    const double area = half_area(node.box);
+    if (limits_.prefer_leaf(node.count, node.levels, area, 0)) return arrays_.make_leaf(node);
+    const BinMapping mapping(centroids, bin_count_);
+    bins_.clear();
+    for (const Reference& reference : arrays_.references(node))
+      bins_.add(mapping.bin_of(reference.box().centroid()), reference.box(), 1);
+    const Split split = bins_.best();
+    if (limits_.prefer_leaf(node.count, node.levels, area, split.cost)) return arrays_.make_leaf(node);
+    if (!limits_.usable(split, area, node.count, node.levels)) {
+      for (const Subtree& half : arrays_.divide_at_median(node)) build(half);
+      return;
+    }
+    const auto position = static_cast<std::int32_t>(split.position);
+    std::array<WideBox, 2> of_halves;
+    arrays_.move(node, split.left, [&](std::uint32_t, const Reference& reference) {
+      const Float4 centroid = reference.box().centroid();
+      const bool is_left = mapping.bin_of(centroid)[split.axis] < position;
+      of_halves[is_left ? 0 : 1].enclose(centroid);
+      return is_left;
+    });
+    const std::array<Subtree, 2> halves = arrays_.split(node, split.left, bins_.boxes(split));
+    build(halves[0], of_halves[0]);
+    build(halves[1], of_halves[1]);
+  }
+
+  /// No more references than bins.
+  void build_swept(const Subtree& node) {
+    const double area = half_area(node.box);
+    if (limits_.prefer_leaf(node.count, node.levels, area, 0)) return arrays_.make_leaf(node);
     const SmallSweep sweep(arrays_.references(node));
     const Split& split = sweep.best();
     if (limits_.prefer_leaf(node.count, node.levels, area, split.cost)) return arrays_.make_leaf(node);
-    if (!limits_.usable(split, area, node.count, node.levels)) return build_both(arrays_.divide_at_median(node));
-    build_both(arrays_.divide(node, split.left, [&](std::uint32_t i, const Reference&) { return sweep.is_left(i); }));
-  }
-
-  void build_binned(const Subtree& node, double area) {
-    const BinMapping mapping(arrays_.centroids(node), bins_);
-    SahBins bins(bins_);
-    for (const Reference& reference : arrays_.references(node))
-      bins.add(mapping.bin_of(reference.box().centroid()), reference.box(), 1);
-    const Split split = bins.best();
-    if (limits_.prefer_leaf(node.count, node.levels, area, split.cost)) return arrays_.make_leaf(node);
-    if (!limits_.usable(split, area, node.count, node.levels)) return build_both(arrays_.divide_at_median(node));
-    const auto position = static_cast<std::int32_t>(split.position);
-    build_both(arrays_.divide(node, split.left, [&](std::uint32_t, const Reference& reference) {
-      return mapping.bin_of(reference.box().centroid())[split.axis] < position;
-    }));
-  }
-
-  void build_both(const std::array<Subtree, 2>& halves) {
-    build(halves[0]);
-    build(halves[1]);
+    const bool usable = limits_.usable(split, area, node.count, node.levels);
+    const auto is_left = [&](std::uint32_t i, const Reference&) { return sweep.is_left(i); };
+    for (const Subtree& half : usable ? arrays_.divide(node, split.left, is_left) : arrays_.divide_at_median(node))
+      build_swept(half);
   }
 
   const BuildLimits& limits_;
-  int bins_;
+  int bin_count_;
+  SahBins bins_;
   SubtreeArrays& arrays_;
 };
 
@@ -69,10 +75,9 @@ FloatTree build(const Mesh& mesh, const OptionValues& options) {
   const BuildLimits limits = build_limits(options, mesh.triangles.size(), mesh.name);
   const auto bins = static_cast<int>(options.integer("bins"));
   SubtreeArrays arrays(static_cast<std::uint32_t>(mesh.triangles.size()));
-  BinnedSubtrees builder(limits, bins, arrays);
   const bool grid = options.word("top") == 1;
   build_subtrees(grid ? split_by_grid(mesh, limits, kGridLevels, arrays) : split_by_binning(mesh, limits, bins, arrays),
-                 limits.threads, [&](const Subtree& subtree) { builder.build(subtree); });
+                 limits.threads, [&](const Subtree& subtree) { BinnedSubtrees(limits, bins, arrays).build(subtree); });
   return emit(arrays.tree(), mesh.triangles.size(), mesh.name, limits.threads);
 }
 

@@ -19,8 +19,8 @@ BinMapping::BinMapping(const WideBox& centroids, const std::array<int, 3>& bins)
 void SahBins::merge(const SahBins& other) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(bins_); ++i) {
-      axes_[axis][i].box.enclose(other.axes_[axis][i].box);
-      axes_[axis][i].weight += other.axes_[axis][i].weight;
+      const Bin& theirs = other.axes_[axis][i];
+      axes_[axis][i].add(theirs.box(), theirs.weight);
     }
   }
 }
@@ -29,6 +29,14 @@ std::uint32_t SahBins::left(const Split& split) const {
   std::uint32_t weight = 0;
   for (std::size_t i = 0; i < split.position; ++i) weight += axes_[static_cast<std::size_t>(split.axis)][i].weight;
   return weight;
+}
+
+std::array<WideBox, 2> SahBins::boxes(const Split& split) const {
+  const auto& bins = axes_[static_cast<std::size_t>(split.axis)];
+  std::array<WideBox, 2> boxes;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(bins_); ++i)
+    boxes[i < split.position ? 0 : 1].enclose(bins[i].box());
+  return boxes;
 }
 
 Split SahBins::best() const {
@@ -42,7 +50,7 @@ Split SahBins::best() const {
     double cost_so_far = 0;
     for (std::size_t i = bins; --i > 0;) {
       if (entries[i].weight > 0) {
-        box.enclose(entries[i].box);
+        box.enclose(entries[i].box());
         weight += entries[i].weight;
         cost_so_far = half_area(box) * weight;
       }
@@ -53,7 +61,7 @@ Split SahBins::best() const {
     weight = 0;
     for (std::size_t i = 1; i < bins; ++i) {
       if (entries[i - 1].weight == 0) continue;  // nothing to the left, or the same split as one before
-      box.enclose(entries[i - 1].box);
+      box.enclose(entries[i - 1].box());
       weight += entries[i - 1].weight;
       if (weight == total) break;
       const double cost = half_area(box) * weight + right_cost[i];

@@ -1,6 +1,7 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -35,14 +36,16 @@ class BinMapping {
 /// axes.
 class SahBins {
  public:
-  explicit SahBins(int bins) : bins_(bins) {}
+  explicit SahBins(int bins) : bins_(bins) { clear(); }
+
+  void clear() {
+    for (auto& bins : axes_) std::fill_n(bins.begin(), bins_, Bin{WideBox().lower, WideBox().upper, 0});
+  }
 
   void add(Int4 bin, const WideBox& box, std::uint32_t weight) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      Bin& entry = axes_[axis][static_cast<std::size_t>(bin[axis])];
-      entry.box.enclose(box);
-      entry.weight += weight;
-    }
+    axes_[0][static_cast<std::size_t>(bin[0])].add(box, weight);
+    axes_[1][static_cast<std::size_t>(bin[1])].add(box, weight);
+    axes_[2][static_cast<std::size_t>(bin[2])].add(box, weight);
   }
 
   /// As if all that was added to `other` had been added here. In any order: the result is the same.
@@ -51,14 +54,26 @@ class SahBins {
   /// The weight before a split.
   std::uint32_t left(const Split& split) const;
 
+  /// What lies before a split and what behind.
+  std::array<WideBox, 2> boxes(const Split& split) const;
+
   /// The cheapest split between two bins; of equals the one with the lowest axis, then position. None if all lies in
   /// one bin of each axis.
   Split best() const;
 
  private:
+  /// Trivial, so that those beyond the last one are never written.
   struct Bin {
-    WideBox box;
-    std::uint32_t weight = 0;
+    Float4 lower;
+    Float4 upper;
+    std::uint32_t weight;
+
+    WideBox box() const { return {lower, upper}; }
+    void add(const WideBox& box, std::uint32_t of_weight) {
+      lower = lesser(lower, box.lower);
+      upper = greater(upper, box.upper);
+      weight += of_weight;
+    }
   };
   int bins_;
   std::array<std::array<Bin, kMaxBins>, 3> axes_;

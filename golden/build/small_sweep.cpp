@@ -20,7 +20,7 @@ SmallSweep::SmallSweep(std::span<const Reference> references) {
   }
   const int axes = count == 2 ? 1 : 3;  // two boxes cost the same in either order
   for (int axis = 0; axis < axes; ++axis) {
-    std::array<const WideBox*, kMost> order{};
+    std::array<const WideBox*, kMost> order;  // as many as there are references
     for (std::size_t i = 0; i < count; ++i) order[static_cast<std::size_t>(ranks_[i][axis])] = &references[i].box();
     std::array<double, kMost> right_cost;
     WideBox box = *order[count - 1];

@@ -56,18 +56,24 @@ class SubtreeArrays {
                     !node.side, boxes[1]}};
   }
 
-  /// Moves the `left` references for which is_left(index, reference) holds to the front, the others behind them.
+  /// Moves the `left` references for which is_left(index, reference) holds to the front of the other buffer, the
+  /// others behind them.
   template <class IsLeft>
-  std::array<Subtree, 2> divide(const Subtree& node, std::uint32_t left, const IsLeft& is_left) {
+  void move(const Subtree& node, std::uint32_t left, const IsLeft& is_left) {
     const Reference* const from = buffer(node.side) + node.first;
     Reference* const to = buffer(!node.side) + node.first;
-    std::array<WideBox, 2> boxes;
     std::array<std::uint32_t, 2> next{0, left};
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-      const std::size_t half = is_left(i, from[i]) ? 0 : 1;
-      to[next[half]++] = from[i];
-      boxes[half].enclose(from[i].box());
-    }
+    for (std::uint32_t i = 0; i < node.count; ++i) to[next[is_left(i, from[i]) ? 0 : 1]++] = from[i];
+  }
+
+  /// Moves them, and makes the node.
+  template <class IsLeft>
+  std::array<Subtree, 2> divide(const Subtree& node, std::uint32_t left, const IsLeft& is_left) {
+    move(node, left, is_left);
+    const Reference* const to = buffer(!node.side) + node.first;
+    std::array<WideBox, 2> boxes;
+    for (std::uint32_t i = 0; i < left; ++i) boxes[0].enclose(to[i].box());
+    for (std::uint32_t i = left; i < node.count; ++i) boxes[1].enclose(to[i].box());
     return split(node, left, boxes);
   }
 

@@ -13,6 +13,7 @@ namespace cbvh::golden {
 /// it.
 using Float4 [[gnu::vector_size(16)]] = float;
 using Int4 [[gnu::vector_size(16)]] = std::int32_t;
+using Double4 [[gnu::vector_size(32)]] = double;
 
 inline Float4 lesser(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 greater(Float4 a, Float4 b) { return a > b ? a : b; }
@@ -45,10 +46,10 @@ inline Box narrowed(const WideBox& box) {
 
 /// half_area(narrowed(box)).
 inline double half_area(const WideBox& box) {
-  const double x = static_cast<double>(box.upper[0]) - static_cast<double>(box.lower[0]);
-  const double y = static_cast<double>(box.upper[1]) - static_cast<double>(box.lower[1]);
-  const double z = static_cast<double>(box.upper[2]) - static_cast<double>(box.lower[2]);
-  return x * y + y * z + z * x;
+  const Double4 extent = __builtin_convertvector(box.upper, Double4) - __builtin_convertvector(box.lower, Double4);
+  const Double4 next = __builtin_shufflevector(extent, extent, 1, 2, 0, 3);
+  const Double4 faces = extent * next;
+  return faces[0] + faces[1] + faces[2];
 }
 
 /// The axis on which a box is longest, the first of equals.
