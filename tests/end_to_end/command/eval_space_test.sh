@@ -10,7 +10,7 @@ json "all(r['paper_size_ratio'] is None for r in j['tables']['space']['rows'])"
 json "all(r['through_cost'] > r['terminating_cost'] > 0 for r in j['tables']['space_rays']['rows'])"
 json "all(abs(r['through_cost'] / r['expected'] - 1) < 0.05 for r in j['tables']['space_rays']['rows'])"
 json "[r['overlap'] for r in j['tables']['space_overlap']['rows']] == [0, 10]"
-grep -q '^space,.*/SS-BVH,terminating_ratio,0\.' report.csv
+grep -q '^space,.*/SS-BVH"*,terminating_ratio,0\.' report.csv || fail "report.csv lacks SS-BVH's terminating_ratio"
 expect 0 eval space rotated:proc:city,triangles=150 --rays 2000 --overlap 0,10 --threads 2 --json other.json
 python3 - <<'PYTHON' || fail "threads change results"
 import json
