@@ -109,8 +109,8 @@ bool inside(const Box& outer, const Box& inner) {
   return true;
 }
 
-/// The cheapest of all pairs of boxes on the grid, both orders of each, gaps and all, with triangles kept whole.
-double cheapest_on_grid(const Small& small, const std::array<int, 3>& cells, double overlap) {
+/// The cheapest of all pairs of boxes on the grid, both orders of each, gaps and all. What is split, SideRule says.
+double cheapest_on_grid(const Small& small, const std::array<int, 3>& cells, double overlap, bool may_split) {
   std::vector<Box> boxes;
   const auto at = [&](int axis, int i) {
     const int count = cells[static_cast<std::size_t>(axis)];
@@ -134,9 +134,11 @@ double cheapest_on_grid(const Small& small, const std::array<int, 3>& cells, dou
       for (const Piece& piece : small.pieces) {
         const bool in_a = inside(a, piece.box);
         const bool in_b = inside(b, piece.box);
-        feasible = feasible && (in_a || in_b);
-        left += in_a && (!in_b || smaller) ? 1 : 0;
-        right += in_b && (!in_a || !smaller) ? 1 : 0;
+        const bool split =
+            may_split && !in_a && !in_b && SideRule({a, b}, true).side_of(piece, small.mesh) == Side::both;
+        feasible = feasible && (in_a || in_b || split);
+        left += split || (in_a && (!in_b || smaller)) ? 1 : 0;
+        right += split || (in_b && (!in_a || !smaller)) ? 1 : 0;
       }
       if (!feasible || left == 0 || right == 0) continue;
       double common = 1;
@@ -154,12 +156,13 @@ double cheapest_on_grid(const Small& small, const std::array<int, 3>& cells, dou
 TEST(GridOracle, the_search_finds_the_cheapest_of_all_boxes_on_the_grid) {
   std::mt19937 random(4);
   std::size_t found = 0;
+  std::size_t split = 0;
   for (int round = 0; round < 60; ++round) {
     const Small small = random_small(random, 3 + static_cast<std::uint32_t>(random() % 10));
     SearchRules rules;
     rules.centroids = false;
     rules.grid = true;
-    rules.may_split = false;
+    rules.may_split = round % 2 == 0;
     rules.overlap = round % 3 == 0 ? 0 : 1.0 * (round % 3);
     const double cells = 30;
     rules.resolution = cells * cells / static_cast<double>(small.pieces.size());
@@ -167,13 +170,16 @@ TEST(GridOracle, the_search_finds_the_cheapest_of_all_boxes_on_the_grid) {
     const std::array<int, 3> resolution = oracle.resolution();
     ASSERT_EQ(resolution, (std::array<int, 3>{3, 3, 3}));
     const auto partitions = cheapest_partitions(small.pieces, small.cell, small.mesh, rules);
-    const double wanted = cheapest_on_grid(small, resolution, rules.overlap);
+    const double wanted = cheapest_on_grid(small, resolution, rules.overlap, rules.may_split);
     ASSERT_EQ(partitions.empty(), wanted == INFINITY);
     if (partitions.empty()) continue;
     ASSERT_DOUBLE_EQ(partitions.front().cost, wanted) << round;
     ++found;
+    const ChildBoxes& best = partitions.front().boxes;
+    split += best.count[0] + best.count[1] > small.pieces.size() ? 1 : 0;
   }
   EXPECT_GT(found, 40U);
+  EXPECT_GT(split, 3U);
 }
 
 TEST(GridOracle, cells_are_no_more_than_asked_for_and_follow_the_extents) {
