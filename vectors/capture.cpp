@@ -11,6 +11,8 @@
 #include "vectors/generate/backtrack_steps.h"
 #include "vectors/generate/decode_jobs.h"
 #include "vectors/generate/float_trees.h"
+#include "vectors/generate/pair_tests.h"
+#include "vectors/ray_convert.h"
 #include "vectors/registry.h"
 #include "vectors/units/backtrack_unit.h"
 
@@ -135,6 +137,15 @@ void offer_children(const rtl::PairJob& job, const PairAnswer& answer, int bits,
   }
 }
 
+/// Case `number` decides the ray.
+void offer_ray(const rtl::PairJob& job, const PairAnswer& answer, std::uint64_t number, int bits,
+               Collection& collection) {
+  Random random(mix(0, number));
+  const golden::CompressedPair pair = stored_pair(job.pair, answer, job.registers, bits);
+  const PlainPairTest test = pair_test_at(pair, answer.context, union_box(job.pair), job.registers, random, bits);
+  with_bits(bits, [&](auto n) { collection.offer(to_wires<decltype(n)::value>(test)); });
+}
+
 /// What the stream compressor does to the stack of contexts.
 std::vector<rtl::StackOperation> stack_operations_of(const Stream& stream, int bits) {
   std::vector<rtl::StackOperation> operations;
@@ -172,6 +183,10 @@ void capture(std::string_view unit, const golden::FloatTree& tree, const Stream&
     watch([&](const rtl::PairJob& job, const PairAnswer&) { collection.offer(job); });
   } else if (unit == "box_decoder") {
     watch([&](const rtl::PairJob& job, const PairAnswer& answer) { offer_children(job, answer, bits, collection); });
+  } else if (unit == "pair_intersector") {
+    std::uint64_t number = 0;
+    watch(
+        [&](const rtl::PairJob& job, const PairAnswer& answer) { offer_ray(job, answer, number++, bits, collection); });
   } else if (unit == "backtrack_unit") {
     capture_backtracking(tree, stream, options, bits, collection);
   } else if (unit == "context_stack" || collection.takes<rtl::StreamJob>()) {

@@ -47,7 +47,10 @@ std::span<const UnitDescription> units() {
                                                    describe_refit_walker(),
                                                    describe_refit_unit(),
                                                    describe_top_down_compressor(),
-                                                   describe_box_decoder()};
+                                                   describe_box_decoder(),
+                                                   describe_ray_setter(),
+                                                   describe_pair_intersector(),
+                                                   describe_traversal_unit()};
   return all;
 }
 

@@ -34,10 +34,10 @@ constexpr rlim_t kSeconds = 60;
 /// The units whose sets are asked first: those the faulty part is closest to.
 std::vector<std::string> nearest_units(const Fault& fault) {
   if (fault.kind == Fault::Kind::decision)
-    return {"context_stack",      "backtrack_unit",     "lazy_treelet_collector",
-            "stream_compressor",  "run_sorter",         "hierarchy_emitter",
-            "run_merger",         "node_writer",        "refit_walker",
-            "primitive_gatherer", "top_down_compressor"};
+    return {"context_stack",      "backtrack_unit",      "lazy_treelet_collector",
+            "stream_compressor",  "run_sorter",          "hierarchy_emitter",
+            "run_merger",         "node_writer",         "refit_walker",
+            "primitive_gatherer", "top_down_compressor", "traversal_unit"};
   switch (fault.datapath) {
     case rtl::Datapath::compress_axis:
       return {"axis_compressor"};
@@ -56,6 +56,10 @@ std::vector<std::string> nearest_units(const Fault& fault) {
       return {"run_merger"};
     case rtl::Datapath::decode_box:
       return {"box_decoder"};
+    case rtl::Datapath::ray_setup:
+      return {"ray_setter"};
+    case rtl::Datapath::intersect_pair:
+      return {"pair_intersector"};
     case rtl::Datapath::reencode:
     case rtl::Datapath::invalidates:
       return {"backtrack_unit", "treelet_collector"};

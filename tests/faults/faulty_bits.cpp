@@ -60,7 +60,8 @@ std::vector<rtl::Corner> control_decisions() {
           Corner::emitter_joins_leaf,    Corner::emitter_closes_several, Corner::merger_waits,
           Corner::merger_half_line,      Corner::merger_rewrites,        Corner::writer_evicts,
           Corner::writer_completes,      Corner::writer_forwards,        Corner::gatherer_misses,
-          Corner::top_down_parks};
+          Corner::top_down_parks,        Corner::ray_drops_waiting,      Corner::ray_leaf_crosses_lines,
+          Corner::ray_stack_overflow};
 }
 
 }  // namespace cbvh::testing

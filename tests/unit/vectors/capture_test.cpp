@@ -38,7 +38,7 @@ TEST(Capture, every_unit_of_compression_meets_something_and_the_golden_agrees_af
     EXPECT_EQ(read->verify().mismatches, 0U) << unit.name;
     for (std::size_t i = 0; i < set->size(); ++i) EXPECT_EQ(set->class_name(i), kCaptured);
   }
-  EXPECT_EQ(met, 11U);
+  EXPECT_EQ(met, 12U);
 }
 
 TEST(Capture, without_a_limit_it_takes_everything) {
@@ -49,6 +49,7 @@ TEST(Capture, without_a_limit_it_takes_everything) {
   EXPECT_EQ(capture_set("axis_compressor", {}, tree, options)->size(), 6 * tree.pairs.size());
   EXPECT_EQ(capture_set("scale_estimator", {}, tree, options)->size(), 3 * tree.pairs.size());
   EXPECT_EQ(capture_set("box_decoder", {}, tree, options)->size(), 2 * tree.pairs.size());
+  EXPECT_EQ(capture_set("pair_intersector", {}, tree, options)->size(), tree.pairs.size());
   options.treelet = 2;
   EXPECT_GT(capture_set("node_pair_compressor", {}, tree, options)->size(), tree.pairs.size())
       << "pairs below a treelet's root are compressed anew";

@@ -1,0 +1,126 @@
+// Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
+#include "rtl_model/traverse/traversal_unit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "golden/update/top_down.h"
+#include "rtl_model/kernel/clock.h"
+#include "rtl_model/memory/ideal_line_memory.h"
+#include "rtl_model/memory/line_link.h"
+#include "testbench/rtl/leaf_answerer.h"
+#include "testbench/rtl/ports.h"
+#include "vectors/generate/ray_episode_steps.h"
+
+namespace cbvh::rtl {
+namespace {
+
+using vectors::Random;
+using Step = vectors::TraversalStep<6>;
+
+struct Told {
+  std::vector<RayCandidate> met;  ///< without slots
+  std::vector<RayReport> reports;
+  bool operator==(const Told&) const = default;
+};
+
+struct Run {
+  std::map<std::uint64_t, Told> rays;  ///< by number
+  std::uint64_t cycles = 0;
+};
+
+/// Nothing is hit: leaves answer with an infinite distance.
+Run run(const std::vector<Step>& steps, std::size_t slots, unsigned memory_latency) {
+  Channel<RayJob> jobs;
+  Channel<RayCandidate> candidates;
+  Channel<LeafReply> replies;
+  Channel<RayReport> reports;
+  LineLink pairs;
+  LineLink ids;
+  IdealLineMemory memory({pairs.port(), ids.port()}, 1 << 14, memory_latency);
+  RayTree<6> tree;
+  std::vector<RayJob> rays;
+  for (const Step& step : steps) {
+    const auto kind = static_cast<Step::Kind>(step.kind.value());
+    if (kind == Step::Kind::tree) tree = step.tree;
+    if (kind == Step::Kind::ray) rays.push_back(step.ray);
+    for (std::size_t i = 0; kind == Step::Kind::memory && i < kWordsPerLine; ++i) {
+      memory.store.poke(step.line.value() * kWordsPerLine + i, static_cast<std::uint32_t>(step.words[i].value()));
+    }
+  }
+  TraversalUnit<MachineBits, 6> unit({jobs, candidates, replies, reports, pairs.port(), ids.port()}, tree, slots);
+  testbench::Source<RayJob> source(jobs, rays, StallPattern::never());
+  testbench::LeafAnswerer answerer(
+      candidates, replies,
+      [](const RayCandidate& candidate) {
+        return LeafReply{candidate.slot, Float32::of(std::numeric_limits<float>::infinity()), {}};
+      },
+      testbench::SinkStalls::never());
+  testbench::Sink<RayReport> sink(reports, testbench::SinkStalls::never());
+  Clock clock(source, jobs, unit, pairs, ids, memory, candidates, answerer, replies, reports, sink);
+  while (sink.items.size() < rays.size() && clock.cycle() < 1'000'000) clock.step();
+  Run result;
+  result.cycles = clock.cycle();
+  for (RayCandidate candidate : answerer.met) {
+    candidate.slot = {};
+    result.rays[candidate.number.value()].met.push_back(candidate);
+  }
+  for (const RayReport& report : sink.items) result.rays[report.number.value()].reports.push_back(report);
+  return result;
+}
+
+TEST(TraversalUnit, how_many_rays_are_on_their_way_changes_nothing_of_what_is_said_of_each) {
+  Random random(1);
+  std::size_t rays = 0;
+  for (std::size_t i = 0; i < 64; ++i) {
+    const auto steps = vectors::ray_steps<6>(
+        vectors::make_ray_episode(i % vectors::kRayEpisodeClasses.size(), random, 6));
+    const Run alone = run(steps, 1, 4);
+    for (const auto& [number, told] : alone.rays) ASSERT_EQ(told.reports.size(), 1U);
+    for (const std::size_t slots : {std::size_t{2}, std::size_t{7}, std::size_t{64}}) {
+      const Run together = run(steps, slots, 4);
+      ASSERT_EQ(together.rays, alone.rays) << slots;
+      ASSERT_LE(together.cycles, alone.cycles);
+    }
+    rays += alone.rays.size();
+  }
+  EXPECT_GT(rays, 250U);
+}
+
+TEST(TraversalUnit, is_a_clocked_design_whose_waiting_is_all_memory) {
+  // One ray down a spine whose boxes are all the same: no leaf comes before the last pair.
+  golden::FloatTree tree;
+  const golden::Box box{glm::vec3(0), glm::vec3(1)};
+  constexpr std::uint32_t kLevels = 24;
+  for (std::uint32_t i = 0; i < kLevels; ++i) {
+    tree.pairs.push_back({{box, box}, {i == 0, true}, {i == 0 ? kLevels : i - 1, i}});
+  }
+  for (std::uint32_t i = 0; i <= kLevels; ++i) tree.primitive_ids.push_back(i | golden::kLastOfLeaf);
+  tree.leaves = kLevels + 1;
+  tree.primitives = kLevels + 1;
+  tree.scene = box;
+  tree.largest_magnitude = 1;
+  vectors::RayEpisode episode;
+  episode.tree = golden::compress_top_down(tree, {6, -23, golden::ScaleRule::equation2}, golden::Code::modulo);
+  RayJob ray;
+  ray.origin = {Float32::of(-1), Float32::of(0.5F), Float32::of(0.5F)};
+  ray.direction = {Float32::of(1), Float32::of(0), Float32::of(0)};
+  ray.t_max = Float32::of(std::numeric_limits<float>::infinity());
+  episode.rays = {ray};
+  const auto steps = vectors::ray_steps<6>(episode);
+  const Run near = run(steps, 1, 4);
+  const Run far = run(steps, 1, 104);
+  const RayReport& report = near.rays.at(0).reports.at(0);
+  EXPECT_EQ(report.status.value(), 0U);
+  EXPECT_EQ(report.pairs.value(), kLevels);
+  EXPECT_EQ(report.leaves.value(), kLevels + 1);
+  EXPECT_EQ(report.lines.value(), kLevels / kPairsPerLine) << "four pairs of the spine share a line";
+  EXPECT_EQ(far.cycles - near.cycles, 100 * (report.lines.value() + report.leaves.value()));
+}
+
+}  // namespace
+}  // namespace cbvh::rtl
