@@ -105,7 +105,7 @@ SimResult simulate_top_down(const LbvhJob& job);
 /// Calls f(std::integral_constant<int, N>) for N = bits: those that fit packed pairs and are worth building hardware
 /// for.
 template <class F>
-SimResult with_simulated_bits(unsigned bits, F&& f) {
+auto with_simulated_bits(unsigned bits, F&& f) {
   switch (bits) {
 #ifndef CBVH_FEW_BITS
     case 4:

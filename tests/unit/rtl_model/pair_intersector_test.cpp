@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rtl_model/traverse/ray_setter.h"
+#include "tests/support/ray_walk.h"
 #include "tests/support/unit_run.h"
 #include "vectors/faces/directed_float.h"
 #include "vectors/generate/floats.h"
@@ -39,10 +40,12 @@ float advanced(float x, int cells, float inverse, int scale) {
       .value();
 }
 
-/// A plane that lies about as far behind the ray's start as x lies ahead: sums that cancel.
-int cancelling_scale(float x, float inverse, Random& random) {
-  const int exponent = x == 0 || inverse == 0 ? 0 : std::ilogb(x) - std::ilogb(inverse);
-  return std::clamp(exponent - random.between(0, 9), -256, 255);
+/// The product with its sign changed, within some last places: sums that cancel.
+float cancelling(const vectors::Exact& product, Random& random) {
+  float x = -vectors::largest_not_above(product);
+  const float towards = random.flip() ? kInfinity : -kInfinity;
+  for (int steps = random.between(0, 3); steps > 0; --steps) x = std::nextafter(x, towards);
+  return std::isfinite(x) ? x : -kLargest;
 }
 
 TEST(PairIntersector, a_distance_advanced_by_cells_is_the_largest_float_not_above_the_exact_sum) {
@@ -50,19 +53,20 @@ TEST(PairIntersector, a_distance_advanced_by_cells_is_the_largest_float_not_abov
   std::size_t checks = 0;
   std::size_t cancelled = 0;
   for (int i = 0; i < 300'000; ++i) {
-    const float x = any_float(random);
     const float inverse = std::fabs(any_float(random));
     const int cells = random.between(0, 256);
-    const int scale = random.flip() ? cancelling_scale(x, inverse, random) : random.between(-256, 255);
-    const auto exact = vectors::exact(x) + vectors::exact_product(cells, inverse, scale);
+    const int scale = random.flip() ? random.between(-256, 255) : random.between(-40, 10);
+    const auto product = vectors::exact_product(cells, inverse, scale);
+    const float x = random.flip() ? cancelling(product, random) : any_float(random);
+    const auto exact = vectors::exact(x) + product;
     const float want = vectors::largest_not_above(exact);
     ASSERT_EQ(Float32::of(advanced<9>(x, cells, inverse, scale)).bits, Float32::of(want).bits)
         << x << " + " << cells << " * " << inverse << " * 2^" << scale;
-    cancelled += x < 0 && std::fabs(want) < std::fabs(x) / 16;
+    cancelled += x < 0 && std::fabs(want) < std::fabs(x) / 0x1p20F;
     ++checks;
   }
   EXPECT_EQ(checks, 300'000U);
-  EXPECT_GT(cancelled, 5'000U);
+  EXPECT_GT(cancelled, 50'000U);
   EXPECT_EQ(advanced<9>(-kInfinity, 256, kLargest, 255), -kInfinity);
   EXPECT_EQ(advanced<9>(kLargest, 256, kLargest, 255), kLargest);
   EXPECT_EQ(advanced<9>(-1, 1, 0x1p-149F, -256), -1) << "what lies far below the last place leads down, never up";
@@ -145,6 +149,17 @@ TEST(PairIntersector, the_upper_planes_distance_comes_from_the_parents_upper_pla
   EXPECT_LE(static_cast<double>(child.node.planes[0].near.value()) * 3, 2.0);
   EXPECT_GE(static_cast<double>(child.node.planes[0].far.value()) * 3, 5.0);
   EXPECT_LT(static_cast<double>(third) * 5 * 3, 5.0) << "a product with the same reciprocal alone does not enclose";
+}
+
+TEST(PairIntersector, no_interval_down_random_nested_boxes_fails_to_enclose_the_exact_one) {
+  for (const testing::WalkedBoxes& walked :
+       {testing::walk_rays<2>(200'000, 1), testing::walk_rays<6>(200'000, 2), testing::walk_rays<8>(200'000, 3)}) {
+    EXPECT_GE(walked.tests, 200'000U);
+    EXPECT_EQ(walked.violations, 0U);
+    EXPECT_EQ(walked.refused, 0U);
+    EXPECT_GT(walked.hits, walked.tests / 20);
+    EXPECT_LT(walked.hits, walked.tests * 19 / 20);
+  }
 }
 
 TEST(PairIntersector, refuses_a_child_that_leaves_its_parent_and_rays_that_no_setup_gives) {

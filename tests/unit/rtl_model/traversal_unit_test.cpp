@@ -28,13 +28,13 @@ struct Told {
   bool operator==(const Told&) const = default;
 };
 
-struct Run {
+struct Outcome {
   std::map<std::uint64_t, Told> rays;  ///< by number
   std::uint64_t cycles = 0;
 };
 
 /// Nothing is hit: leaves answer with an infinite distance.
-Run run(const std::vector<Step>& steps, std::size_t slots, unsigned memory_latency) {
+Outcome run(const std::vector<Step>& steps, std::size_t slots, unsigned memory_latency) {
   Channel<RayJob> jobs;
   Channel<RayCandidate> candidates;
   Channel<LeafReply> replies;
@@ -63,7 +63,7 @@ Run run(const std::vector<Step>& steps, std::size_t slots, unsigned memory_laten
   testbench::Sink<RayReport> sink(reports, testbench::SinkStalls::never());
   Clock clock(source, jobs, unit, pairs, ids, memory, candidates, answerer, replies, reports, sink);
   while (sink.items.size() < rays.size() && clock.cycle() < 1'000'000) clock.step();
-  Run result;
+  Outcome result;
   result.cycles = clock.cycle();
   for (RayCandidate candidate : answerer.met) {
     candidate.slot = {};
@@ -77,12 +77,12 @@ TEST(TraversalUnit, how_many_rays_are_on_their_way_changes_nothing_of_what_is_sa
   Random random(1);
   std::size_t rays = 0;
   for (std::size_t i = 0; i < 64; ++i) {
-    const auto steps = vectors::ray_steps<6>(
-        vectors::make_ray_episode(i % vectors::kRayEpisodeClasses.size(), random, 6));
-    const Run alone = run(steps, 1, 4);
+    const auto steps =
+        vectors::ray_steps<6>(vectors::make_ray_episode(i % vectors::kRayEpisodeClasses.size(), random, 6));
+    const Outcome alone = run(steps, 1, 4);
     for (const auto& [number, told] : alone.rays) ASSERT_EQ(told.reports.size(), 1U);
     for (const std::size_t slots : {std::size_t{2}, std::size_t{7}, std::size_t{64}}) {
-      const Run together = run(steps, slots, 4);
+      const Outcome together = run(steps, slots, 4);
       ASSERT_EQ(together.rays, alone.rays) << slots;
       ASSERT_LE(together.cycles, alone.cycles);
     }
@@ -112,8 +112,8 @@ TEST(TraversalUnit, is_a_clocked_design_whose_waiting_is_all_memory) {
   ray.t_max = Float32::of(std::numeric_limits<float>::infinity());
   episode.rays = {ray};
   const auto steps = vectors::ray_steps<6>(episode);
-  const Run near = run(steps, 1, 4);
-  const Run far = run(steps, 1, 104);
+  const Outcome near = run(steps, 1, 4);
+  const Outcome far = run(steps, 1, 104);
   const RayReport& report = near.rays.at(0).reports.at(0);
   EXPECT_EQ(report.status.value(), 0U);
   EXPECT_EQ(report.pairs.value(), kLevels);
