@@ -21,9 +21,9 @@ struct TraversalPorts {
 
 /// Rays through a compressed tree in memory, several at a time: their leaves' primitives as candidates to be
 /// intersected outside, whose nearest hit comes back and shortens the ray, then a report. Rays overtake each other;
-/// what is said of one ray, and in which order, does not depend on the others. A ray's step to the next pair takes 13
-/// clocks and the memory's latency, less both when the pair lies in the last line; all rays together make up to one a
-/// clock. Paper sections 3 and 5.5.
+/// what is said of one ray, and in which order, does not depend on the others. A ray's step to the
+/// next pair takes 11 clocks, or 12 and the memory's latency if the pair is not in the last line; all rays together
+/// make up to one a clock. Paper sections 3 and 5.5.
 template <class Bits, int N>
 class TraversalUnit {
  public:

@@ -18,7 +18,7 @@ struct TraversalUnit {
   using Response = TraversalEvent;
   static constexpr std::string_view kName = "traversal_unit";
   static constexpr std::string_view kSummary = "rays through a compressed tree in memory (here up to 4 at once)";
-  static constexpr std::string_view kLatencyText = "13 + memory's a step of a ray, 1 of all";
+  static constexpr std::string_view kLatencyText = "11 a step, 12 + memory's to another line";
   static constexpr bool kStateful = true;
   static constexpr bool kTreelet = false;
   static constexpr const auto& kClasses = kRayEpisodeClasses;

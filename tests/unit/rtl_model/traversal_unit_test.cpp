@@ -91,17 +91,17 @@ TEST(TraversalUnit, how_many_rays_are_on_their_way_changes_nothing_of_what_is_sa
   EXPECT_GT(rays, 250U);
 }
 
-TEST(TraversalUnit, is_a_clocked_design_whose_waiting_is_all_memory) {
-  // One ray down a spine whose boxes are all the same: no leaf comes before the last pair.
+/// One ray along x down a left spine; every level leaves a leaf to the right, which the ray hits or not.
+std::vector<Step> spine(std::uint32_t levels, bool hits_leaves) {
   golden::FloatTree tree;
   const golden::Box box{glm::vec3(0), glm::vec3(1)};
-  constexpr std::uint32_t kLevels = 24;
-  for (std::uint32_t i = 0; i < kLevels; ++i) {
-    tree.pairs.push_back({{box, box}, {i == 0, true}, {i == 0 ? kLevels : i - 1, i}});
+  const golden::Box leaf{glm::vec3(0, hits_leaves ? 0 : 0.875F, 0), glm::vec3(1)};
+  for (std::uint32_t i = 0; i < levels; ++i) {
+    tree.pairs.push_back({{box, leaf}, {i == 0, true}, {i == 0 ? levels : i - 1, i}});
   }
-  for (std::uint32_t i = 0; i <= kLevels; ++i) tree.primitive_ids.push_back(i | golden::kLastOfLeaf);
-  tree.leaves = kLevels + 1;
-  tree.primitives = kLevels + 1;
+  for (std::uint32_t i = 0; i <= levels; ++i) tree.primitive_ids.push_back(i | golden::kLastOfLeaf);
+  tree.leaves = levels + 1;
+  tree.primitives = levels + 1;
   tree.scene = box;
   tree.largest_magnitude = 1;
   vectors::RayEpisode episode;
@@ -111,7 +111,12 @@ TEST(TraversalUnit, is_a_clocked_design_whose_waiting_is_all_memory) {
   ray.direction = {Float32::of(1), Float32::of(0), Float32::of(0)};
   ray.t_max = Float32::of(std::numeric_limits<float>::infinity());
   episode.rays = {ray};
-  const auto steps = vectors::ray_steps<6>(episode);
+  return vectors::ray_steps<6>(episode);
+}
+
+TEST(TraversalUnit, memory_is_waited_for_once_a_line_of_pairs_and_once_a_leaf) {
+  constexpr std::uint32_t kLevels = 24;
+  const auto steps = spine(kLevels, true);
   const Outcome near = run(steps, 1, 4);
   const Outcome far = run(steps, 1, 104);
   const RayReport& report = near.rays.at(0).reports.at(0);
@@ -120,6 +125,15 @@ TEST(TraversalUnit, is_a_clocked_design_whose_waiting_is_all_memory) {
   EXPECT_EQ(report.leaves.value(), kLevels + 1);
   EXPECT_EQ(report.lines.value(), kLevels / kPairsPerLine) << "four pairs of the spine share a line";
   EXPECT_EQ(far.cycles - near.cycles, 100 * (report.lines.value() + report.leaves.value()));
+}
+
+TEST(TraversalUnit, a_step_within_a_line_takes_11_clocks_and_one_to_another_line_1_more_and_the_memorys_latency) {
+  for (const unsigned latency : {4U, 50U}) {
+    const Outcome longer = run(spine(24, false), 1, latency);
+    const Outcome shorter = run(spine(12, false), 1, latency);
+    EXPECT_EQ(longer.rays.at(0).reports.at(0).leaves.value(), 1U);
+    EXPECT_EQ(longer.cycles - shorter.cycles, 12 * 11 + 3 * (1 + latency));
+  }
 }
 
 }  // namespace
