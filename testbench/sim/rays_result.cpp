@@ -33,16 +33,14 @@ std::vector<golden::Ray> image_rays(const golden::Mesh& mesh, const golden::Floa
 }
 
 std::string to_text(const RaysResult& result) {
-  const auto row = [&](const char* name, std::uint64_t unit, std::uint64_t exact, std::uint64_t floats) {
-    return fmt::format("{:<16} {:>12.2f} {:>14.2f} {:>12.2f}\n", name, result.per_ray(unit), result.per_ray(exact),
-                       result.per_ray(floats));
-  };
   const double rate = static_cast<double>(result.rays) / static_cast<double>(result.cycles) * result.clock_mhz;
   std::string text = fmt::format("{}: {} rays, {} of them hit, through {} pairs\n", result.scene, result.rays,
                                  result.hits, result.tree_pairs);
   text += fmt::format("{:<16} {:>12} {:>14} {:>12}\n", "a ray", "this unit", "exact distances", "float tree");
-  text += row("pairs", result.pairs, result.exact_pairs, result.float_pairs);
-  text += row("bytes of pairs", 64 * result.pair_lines, 64 * result.exact_pairs, 64 * result.float_pairs);
+  text += fmt::format("{:<16} {:>12.2f} {:>14.2f} {:>12.2f}\n", "pairs", result.per_ray(result.pairs),
+                      result.per_ray(result.exact_pairs), result.per_ray(result.float_pairs));
+  text += fmt::format("{:<16} {:>12.2f} {:>14} {:>12.2f}\n", "bytes of pairs", result.per_ray(64 * result.pair_lines),
+                      "", result.per_ray(64 * result.float_pairs));
   text += fmt::format("{:<16} {:>12.2f} {:>14} {:>12.2f}\n", "triangles", result.per_ray(result.candidates), "",
                       result.per_ray(result.float_triangles));
   text += fmt::format("{:<16} {:>12.2f}\n", "bytes of IDs", result.per_ray(64 * result.id_lines));
