@@ -70,7 +70,10 @@ class PreparedRay {
   /// 1 / direction, the difference and the product round by 2^-53 each; so does the widening itself.
   static constexpr double kWiden = 0x1p-50;
 
-  Interval inside(const Box& box, double slack, Interval result) const {
+  /// Widening is monotone, so the widened entry is the latest of the planes' widened ones, and likewise the exit.
+  Interval inside(const Box& box, double slack, const Interval& ends) const {
+    double near = -std::numeric_limits<double>::infinity();
+    double far = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
       const double lower = static_cast<double>(box.lower[axis]) - origin_[a] - slack;
@@ -79,19 +82,18 @@ class PreparedRay {
         if (lower > 0 || upper < 0) return {1, 0};
         continue;
       }
-      const double near = (backwards_[a] ? upper : lower) * inverse_[a];
-      const double far = (backwards_[a] ? lower : upper) * inverse_[a];
-      result.entry = std::max(result.entry, near - std::abs(near) * kWiden);
-      result.exit = std::min(result.exit, far + std::abs(far) * kWiden);
+      const double to_lower = lower * inverse_[a];
+      const double to_upper = upper * inverse_[a];
+      near = std::max(near, std::min(to_lower, to_upper));
+      far = std::min(far, std::max(to_lower, to_upper));
     }
-    return result;
+    return {std::max(ends.entry, near - std::abs(near) * kWiden), std::min(ends.exit, far + std::abs(far) * kWiden)};
   }
 
   Interval ends_;  ///< t_min and t_max
   std::array<double, 3> origin_;
   std::array<double, 3> inverse_;
   std::array<bool, 3> parallel_;
-  std::array<bool, 3> backwards_;
 };
 
 }  // namespace cbvh::golden

@@ -26,7 +26,7 @@ golden::Builder builder_on(const std::string& text, unsigned threads) {
 }
 
 HitPicture picture_of(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Box& box,
-                   const AnimationJob& job, unsigned threads) {
+                      const AnimationJob& job, unsigned threads) {
   return trace_picture(tree, mesh, golden::Camera::around(box), job.width, job.height, threads);
 }
 

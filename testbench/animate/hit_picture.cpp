@@ -9,7 +9,7 @@
 namespace cbvh::testbench {
 
 HitPicture trace_picture(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Camera& camera,
-                      unsigned width, unsigned height, unsigned threads) {
+                         unsigned width, unsigned height, unsigned threads) {
   HitPicture picture;
   picture.hits.resize(std::size_t{width} * height);
   std::vector<golden::TraceCounts> counts(height);

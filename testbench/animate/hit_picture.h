@@ -16,7 +16,7 @@ struct HitPicture {
 };
 
 HitPicture trace_picture(const golden::FloatTree& tree, const golden::Mesh& mesh, const golden::Camera& camera,
-                      unsigned width, unsigned height, unsigned threads);
+                         unsigned width, unsigned height, unsigned threads);
 
 /// FNV-1a-64 over triangles and distances: equal pictures have equal digests.
 std::uint64_t digest(const HitPicture& picture);

@@ -8,6 +8,7 @@
 #include "golden/scene/load.h"
 #include "testbench/command_line.h"
 #include "testbench/eval/builders/command.h"
+#include "testbench/eval/rays/command.h"
 #include "testbench/eval/sections.h"
 #include "testbench/eval/two_level/command.h"
 #include "testbench/option_values.h"
@@ -111,6 +112,7 @@ void add_eval_command(CommandLine& commands) {
   const Command command = commands.add("eval", "The paper's evaluation for any scenes, beside the paper's own figures",
                                        [chosen] { return (*chosen)(); });
   add_builders_evaluation(command, chosen);
+  add_rays_evaluation(command, chosen);
   add_two_level_evaluation(command, chosen);
   command.add_option("scenes", options->scenes, "each a .glb, .gltf, .obj or .ply file, or proc:NAME[,key=value...]")
       .type_name("SCENE...")

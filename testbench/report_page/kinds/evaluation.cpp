@@ -34,7 +34,9 @@ Markup show(const Json& json, Figures& figures) {
 }  // namespace
 
 ResultKind evaluation_kind() {
-  return {"evaluation", "cbvh eval|eval builders|eval two-level --json", {"tables"}, Chapter::evaluations, tally, show};
+  return {"evaluation", "cbvh eval|eval builders|eval rays|eval two-level|trace --compare --json",
+          {"tables"},   Chapter::evaluations,
+          tally,        show};
 }
 
 }  // namespace cbvh::testbench
