@@ -1,7 +1,9 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -39,18 +41,41 @@ class CompressedTreeView {
 
   Opened open(const Node& node) const {
     const CompressedPair& pair = tree_->pairs[node.pair];
-    const PairCells<Index> cells = decode_codes(pair, node.context, tree_->code, tree_->rules.bits);
-    return {{to_box(cells[0], node.context), to_box(cells[1], node.context)},
-            {pair.child[0].leaf, pair.child[1].leaf},
-            {pair.child[0].pointer, pair.child[1].pointer},
-            cells};
+    Opened opened{{},
+                  {pair.child[0].leaf, pair.child[1].leaf},
+                  {pair.child[0].pointer, pair.child[1].pointer},
+                  decode_codes(pair, node.context, tree_->code, tree_->rules.bits)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<int>(axis);
+      const double cell = power_of_two(node.context[axis].scale);
+      for (std::size_t c = 0; c < 2; ++c) {
+        opened.box[c].lower[a] = edge(opened.cells[c][axis].lower, cell);
+        opened.box[c].upper[a] = edge(opened.cells[c][axis].upper, cell);
+      }
+    }
+    return opened;
   }
+
+  /// child_context, without its loop: the least s with cells <= 2^(N - s) is known from the cells' bits.
   Node child(const Node& node, const Opened& opened, std::size_t c) const {
-    return {opened.pointer[c], child_context(opened.cells[c], node.context, tree_->rules)};
+    Node child{opened.pointer[c], {}};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Cells<Index>& cells = opened.cells[c][axis];
+      const auto spanned = static_cast<std::uint64_t>(cells.upper - cells.lower - exclusive_);
+      const int finer = std::min(tree_->rules.bits - static_cast<int>(std::bit_width(spanned)),
+                                 node.context[axis].scale - tree_->rules.min_scale);
+      child.context[axis] = {node.context[axis].scale - finer,
+                             cells.lower * (Index{1} << static_cast<unsigned>(finer))};
+    }
+    return child;
   }
 
  private:
+  /// At or above the exactness limit a multiple of the cell is a float, or +-2^128, which becomes +-infinity.
+  static float edge(Index index, double cell) { return static_cast<float>(static_cast<double>(index) * cell); }
+
   const CompressedTree* tree_;
+  Index exclusive_;  ///< 1 if a node may span 2^N cells, 0 if one less
 };
 
 }  // namespace cbvh::golden
