@@ -61,6 +61,22 @@ enum class Corner : std::uint8_t {
   merger_waits,      ///< a buffer ran dry
   merger_half_line,  ///< a run ends in the middle of a line
   merger_rewrites,   ///< more runs than can be merged at once
+  ray_full_span,
+  ray_inverted,
+  ray_scale_below_minimum,
+  ray_too_wide,  ///< a child that reaches beyond its parent, or spans more cells than a grid has
+  ray_not_finite,
+  ray_beside_box,          ///< parallel to planes that do not have the origin between them
+  ray_second_first,        ///< the ray enters the second child before the first
+  ray_drops_waiting,       ///< a node that a nearer hit hides
+  ray_leaf_crosses_lines,  ///< of the primitive-ID array
+  ray_stack_overflow,
+  setup_not_finite,
+  setup_inverted,
+  setup_parallel,
+  setup_backwards,
+  directed_subnormal,
+  directed_beyond_largest,  ///< rounded down to the largest finite float, or to minus infinity
   count
 };
 
@@ -117,6 +133,22 @@ constexpr std::array<std::string_view, kCorners> kCornerNames = {
     "merger_waits",
     "merger_half_line",
     "merger_rewrites",
+    "ray_full_span",
+    "ray_inverted",
+    "ray_scale_below_minimum",
+    "ray_too_wide",
+    "ray_not_finite",
+    "ray_beside_box",
+    "ray_second_first",
+    "ray_drops_waiting",
+    "ray_leaf_crosses_lines",
+    "ray_stack_overflow",
+    "setup_not_finite",
+    "setup_inverted",
+    "setup_parallel",
+    "setup_backwards",
+    "directed_subnormal",
+    "directed_beyond_largest",
 };
 
 /// The combinational functions of the design. Each announces itself when it starts, so that an observing bit type can
@@ -136,13 +168,16 @@ enum class Datapath : std::uint8_t {
   common_prefix,
   merge_compare,
   decode_box,
+  ray_setup,
+  intersect_pair,
   count
 };
 
 constexpr std::size_t kDatapaths = static_cast<std::size_t>(Datapath::count);
 
 constexpr std::array<std::string_view, kDatapaths> kDatapathNames = {
-    "compress_axis", "estimate_scale", "union_axis",  "choose_context", "assemble_pair", "reencode",      "invalidates",
-    "primitive_box", "morton_frame",   "morton_code", "unite_boxes",    "common_prefix", "merge_compare", "decode_box"};
+    "compress_axis", "estimate_scale", "union_axis",   "choose_context", "assemble_pair", "reencode",
+    "invalidates",   "primitive_box",  "morton_frame", "morton_code",    "unite_boxes",   "common_prefix",
+    "merge_compare", "decode_box",     "ray_setup",    "intersect_pair"};
 
 }  // namespace cbvh::rtl

@@ -41,6 +41,13 @@ constexpr auto operator-(SInt<A, H> a, UInt<B, H> b) {
   return a - SInt<B + 1, H>(b);
 }
 
+// Products, as wide as both operands together.
+
+template <int A, int B, class H>
+constexpr auto operator*(UInt<A, H> a, UInt<B, H> b) {
+  return UInt<A + B, H>::of_result(a.raw() * b.raw());
+}
+
 // Bitwise, of one width.
 
 template <int W, class H>
