@@ -15,6 +15,7 @@
 #include "testbench/trace/colours.h"
 #include "testbench/trace/hits/hits_report.h"
 #include "testbench/trace/hits/one_ray.h"
+#include "testbench/trace/intervals/check_intervals.h"
 #include "testbench/trace/picture_report.h"
 
 namespace cbvh::testbench {
@@ -32,6 +33,7 @@ struct Options {
   std::string compare;
   std::string ray;
   bool check = false;
+  bool intervals = false;
   std::string file;
   Output output;
 };
@@ -73,6 +75,19 @@ int compare_with_embree(const Options& options, const TraceTrees& trees, const H
   return summary.pass ? kPass : kMismatch;
 }
 
+int check_unit(const Options& options, const TraceTrees& trees, const PictureJob& job) {
+  const golden::Mesh mesh = golden::load_scene(trees.scene);
+  const IntervalsResult result = check_intervals(mesh, build_and_compress(mesh, trees).compressed, job);
+  const Table table = intervals_table(result);
+  std::string text = to_markdown(table);
+  for (const std::string& failure : result.failures) text += fmt::format("FAILED: {}\n", failure);
+  options.output.text(text);
+  options.output.json({{"checks", result.box_tests + result.rays},
+                       {"failures", result.failures},
+                       {"tables", {{table.key, to_json(table)}}}});
+  return result.failures.empty() && result.box_tests > 0 ? kPass : kMismatch;
+}
+
 int run(const Options& options) {
   const TraceTrees trees = trees_of(options);
   HitsJob job = options.hits;
@@ -85,6 +100,7 @@ int run(const Options& options) {
     return one.pass ? kPass : kMismatch;
   }
   if (!options.compare.empty()) return compare_with_embree(options, trees, job);
+  if (options.intervals) return check_unit(options, trees, job.picture);
   return draw_picture(options, trees, job.picture);
 }
 
@@ -129,6 +145,8 @@ void add_compare_options(const Command& command, Options& options) {
         .capture_default_str();
   }
   command.add_option("--seed", options.hits.seed, "of those rays").capture_default_str();
+  command.add_flag("--intervals", options.intervals,
+                   "no picture, but the traversal unit's interval of every box test of its rays against the exact one");
   command.add_option("--ray", options.ray, "no picture, but this ray's hit and tests, through every tree there is")
       .type_name("OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]");
 }

@@ -96,6 +96,12 @@ else
   json "all(sum(r[k] for k in ('nothing', 'same', 'equal_distance', 'embree_rounds', 'distance_rounds')) == r['count'] for r in $rows)"
 fi
 
+# Every interval of the traversal unit encloses the exact one.
+for bits in 4 6; do
+  expect 0 trace "$spheres" "${small[@]}" --camera inside --rays path --samples 1 --intervals --bits "$bits" --json report.json
+  json "j['failures'] == [] and j['tables']['box_intervals']['rows'][0]['box_tests'] > 50000 and j['tables']['box_intervals']['rows'][0]['exact_ratio'] >= 1"
+done
+
 # The page of a report takes both.
 expect 0 trace "$spheres" "${small[@]}" -o shaded.png --json report.json
 expect 0 report report.json shaded.png -o page.html
