@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 
@@ -51,7 +52,7 @@ class TriangleTest {
   /// `reach` becomes the largest coordinate seen from the origin.
   Sheared shear(const glm::vec3& vertex, double& reach) const {
     const auto from_origin = [&](std::size_t i) {
-      const double offset = static_cast<double>(vertex[axes_[i]]) - origin_[i];
+      const double offset = static_cast<double>(glm::value_ptr(vertex)[axes_[i]]) - origin_[i];
       reach = std::max(reach, std::abs(offset));
       return offset;
     };
