@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <utility>
 
 #include "golden/trace/camera.h"
 #include "golden/trace/random.h"
 #include "golden/trace/surface.h"
-#include "golden/trace/traverse.h"
+#include "golden/trace/traced_mesh.h"
 
 namespace cbvh::golden {
 
@@ -33,6 +34,7 @@ struct RayCounts {
 };
 
 /// What a pixel sees.
+template <class Hit>
 struct Pixel {
   Hit hit;               ///< of the primary ray
   glm::dvec3 normal{0};  ///< of length 1, towards the viewer; zeros where nothing is hit, or a triangle without area
@@ -41,24 +43,26 @@ struct Pixel {
   RayCounts secondary;
 };
 
-/// Traces pixels through one tree; one a thread. Everything but the tests is the same for every tree of the scene.
-template <class View>
+/// Traces pixels of what lies behind one tree: of a TracedMesh, or of TracedInstances (two_level/traced_instances.h);
+/// one a thread. Everything but the tests is the same for every tree of the scene.
+template <class Traced>
 class PixelTracer {
  public:
-  PixelTracer(const View& view, const Mesh& mesh, const Camera& camera, RayKind kind, unsigned samples)
-      : tracer_(view, mesh),
-        mesh_(mesh),
+  using Hit = typename Traced::Hit;
+
+  PixelTracer(Traced traced, const Camera& camera, RayKind kind, unsigned samples)
+      : traced_(std::move(traced)),
         camera_(camera),
         kind_(kind),
         samples_(samples),
-        scale_(scene_scale(view.root_box())) {}
+        scale_(scene_scale(traced_.box())) {}
 
   /// Pixel (0, 0) is the upper left one.
-  Pixel trace(unsigned x, unsigned y, unsigned width, unsigned height) {
-    Pixel pixel;
+  Pixel<Hit> trace(unsigned x, unsigned y, unsigned width, unsigned height) {
+    Pixel<Hit> pixel;
     const Ray ray = camera_.ray(x, y, width, height);
     pixel.hit = counted(ray, Stop::closest, pixel.primary);
-    const std::optional<Surface> surface = surface_at(mesh_, ray, pixel.hit);
+    const std::optional<Surface> surface = traced_.surface(ray, pixel.hit);
     if (!surface) return pixel;
     pixel.normal = surface->normal;
     if (kind_ == RayKind::primary) {
@@ -92,7 +96,7 @@ class PixelTracer {
       if (!can_leave(ray)) return 0;
       const Hit hit = counted(ray, Stop::closest, counts);
       if (hit == Hit()) return reflected * sky(direction);
-      const std::optional<Surface> next = surface_at(mesh_, ray, hit);
+      const std::optional<Surface> next = traced_.surface(ray, hit);
       if (!next) return 0;
       surface = *next;
       reflected *= kAlbedo;
@@ -101,18 +105,17 @@ class PixelTracer {
   }
 
   Hit counted(const Ray& ray, Stop stop, RayCounts& counts) {
-    const TraceCounts before = tracer_.counts();
-    const Hit hit = tracer_.trace(ray, stop);
+    const TraceCounts before = traced_.counts();
+    const Hit hit = traced_.trace(ray, stop);
     ++counts.rays;
-    const TraceCounts& after = tracer_.counts();
+    const TraceCounts after = traced_.counts();
     counts.tests.add(
         {after.pairs - before.pairs, after.box_tests - before.box_tests, after.triangle_tests - before.triangle_tests});
     return hit;
   }
 
-  Tracer<View> tracer_;
-  const Mesh& mesh_;
-  const Camera& camera_;
+  Traced traced_;
+  Camera camera_;
   RayKind kind_;
   unsigned samples_;
   SceneScale scale_;

@@ -22,13 +22,11 @@ void check_ray(const Ray& ray, const std::string& place) {
   if (!ordered) throw InputError(place, fmt::format("t from {} to {}, wanted an interval", ray.t_min, ray.t_max));
 }
 
-PreparedRay::PreparedRay(const WideRay& ray)
-    : ends_{ray.t_min, ray.t_max}, origin_{}, inverse_{}, parallel_{}, backwards_{} {
+PreparedRay::PreparedRay(const WideRay& ray) : ends_{ray.t_min, ray.t_max}, origin_{}, inverse_{}, parallel_{} {
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     origin_[a] = ray.origin[axis];
     parallel_[a] = ray.direction[axis] == 0;
-    backwards_[a] = ray.direction[axis] < 0;
     inverse_[a] = parallel_[a] ? 0 : 1 / ray.direction[axis];
   }
 }

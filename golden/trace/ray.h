@@ -57,41 +57,49 @@ class PreparedRay {
   /// Whether t is between t_min and t_max.
   bool reaches(double t) const { return ends_.entry <= t && t <= ends_.exit; }
 
-  /// Where the ray is inside the closed box; of a box that is wider by `slack`, at least 0, on every side.
-  Interval inside(const Box& box, double slack = 0) const { return inside(box, slack, ends_); }
+  /// Where the ray is inside the closed box.
+  Interval inside(const Box& box) const { return clipped(line_inside(box)); }
+
+  /// The same of a box that is wider by `slack`, at least 0, on every side.
+  Interval inside(const Box& box, double slack) const {
+    return clipped(line_inside(glm::dvec3(box.lower) - slack, glm::dvec3(box.upper) + slack));
+  }
 
   /// Where its line is, whatever t_min and t_max.
-  Interval line_inside(const Box& box) const {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return inside(box, 0, {-kInfinity, kInfinity});
-  }
+  Interval line_inside(const Box& box) const { return line_inside(glm::dvec3(box.lower), glm::dvec3(box.upper)); }
 
  private:
   /// 1 / direction, the difference and the product round by 2^-53 each; so does the widening itself.
   static constexpr double kWiden = 0x1p-50;
 
-  Interval inside(const Box& box, double slack, Interval result) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      const double lower = static_cast<double>(box.lower[axis]) - origin_[a] - slack;
-      const double upper = static_cast<double>(box.upper[axis]) - origin_[a] + slack;
-      if (parallel_[a]) {
-        if (lower > 0 || upper < 0) return {1, 0};
-        continue;
-      }
-      const double near = (backwards_[a] ? upper : lower) * inverse_[a];
-      const double far = (backwards_[a] ? lower : upper) * inverse_[a];
-      result.entry = std::max(result.entry, near - std::abs(near) * kWiden);
-      result.exit = std::min(result.exit, far + std::abs(far) * kWiden);
-    }
-    return result;
+  Interval clipped(const Interval& line) const {
+    return {std::max(ends_.entry, line.entry), std::min(ends_.exit, line.exit)};
+  }
+
+  /// Widening is monotone, so the widened entry is the latest of the planes' widened ones, and likewise the exit.
+  Interval line_inside(const glm::dvec3& lower, const glm::dvec3& upper) const {
+    Interval line{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    if (!clip(0, lower.x, upper.x, line) || !clip(1, lower.y, upper.y, line) || !clip(2, lower.z, upper.z, line))
+      return {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    return {line.entry - std::abs(line.entry) * kWiden, line.exit + std::abs(line.exit) * kWiden};
+  }
+
+  /// False if the ray is parallel to the axis's planes and not between them.
+  bool clip(std::size_t axis, double lower, double upper, Interval& line) const {
+    const double to_lower = lower - origin_[axis];
+    const double to_upper = upper - origin_[axis];
+    if (parallel_[axis]) return to_lower <= 0 && to_upper >= 0;
+    const double one = to_lower * inverse_[axis];
+    const double other = to_upper * inverse_[axis];
+    line.entry = std::max(line.entry, std::min(one, other));
+    line.exit = std::min(line.exit, std::max(one, other));
+    return true;
   }
 
   Interval ends_;  ///< t_min and t_max
   std::array<double, 3> origin_;
   std::array<double, 3> inverse_;
   std::array<bool, 3> parallel_;
-  std::array<bool, 3> backwards_;
 };
 
 }  // namespace cbvh::golden

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "golden/build/float_tree.h"
+
 namespace cbvh::golden {
 
 SceneScale scene_scale(const Box& box) {
@@ -12,17 +14,13 @@ SceneScale scene_scale(const Box& box) {
   return {diagonal, static_cast<double>(largest_magnitude(box)) * 0x1p-22 + diagonal * 0x1p-17};
 }
 
-std::optional<Surface> surface_at(const Mesh& mesh, const Ray& ray, const Hit& hit) {
-  if (hit.primitive == Hit::kNone) return std::nullopt;
-  const glm::uvec3& corners = mesh.triangles[hit.primitive];
-  const glm::dvec3 a(mesh.positions[corners.x]);
-  const glm::dvec3 normal =
-      glm::cross(glm::dvec3(mesh.positions[corners.y]) - a, glm::dvec3(mesh.positions[corners.z]) - a);
+std::optional<Surface> surface_of(const std::array<glm::dvec3, 3>& corners, const Ray& ray, double t) {
+  const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double length = glm::length(normal);
   if (length == 0) return std::nullopt;
   const glm::dvec3 direction(ray.direction);
   const double side = glm::dot(normal, direction) > 0 ? -1 : 1;
-  return Surface{glm::dvec3(ray.origin) + direction * hit.t, normal * (side / length)};
+  return Surface{glm::dvec3(ray.origin) + direction * t, normal * (side / length)};
 }
 
 double facing(const Surface& surface, const Ray& ray) {

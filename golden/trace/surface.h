@@ -1,10 +1,11 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "golden/trace/traverse.h"
+#include "golden/trace/ray.h"
 
 namespace cbvh::golden {
 
@@ -24,8 +25,8 @@ struct Surface {
   glm::dvec3 normal;  ///< of length 1, to the side the ray came from
 };
 
-/// Nothing without a hit, or on a triangle without area.
-std::optional<Surface> surface_at(const Mesh& mesh, const Ray& ray, const Hit& hit);
+/// Of a triangle hit at t; nothing on one without area.
+std::optional<Surface> surface_of(const std::array<glm::dvec3, 3>& corners, const Ray& ray, double t);
 
 /// The cosine between normal and viewer, 0..1.
 double facing(const Surface& surface, const Ray& ray);

@@ -8,6 +8,7 @@
 #include "golden/scene/load.h"
 #include "testbench/command_line.h"
 #include "testbench/eval/builders/command.h"
+#include "testbench/eval/rays/command.h"
 #include "testbench/eval/sections.h"
 #include "testbench/eval/space/command.h"
 #include "testbench/eval/two_level/command.h"
@@ -113,6 +114,7 @@ void add_eval_command(CommandLine& commands) {
                                        [chosen] { return (*chosen)(); });
   add_builders_evaluation(command, chosen);
   add_space_evaluation(command, chosen);
+  add_rays_evaluation(command, chosen);
   add_two_level_evaluation(command, chosen);
   command.add_option("scenes", options->scenes, "each a .glb, .gltf, .obj or .ply file, or proc:NAME[,key=value...]")
       .type_name("SCENE...")

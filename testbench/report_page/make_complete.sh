@@ -25,11 +25,26 @@ made 03_lockstep lockstep --cycles 600
 made 04_eval eval "${scenes[@]}"
 made 05_builders eval builders "${scenes[@]}"
 made 06_two_level eval two-level
-made 12_space eval space
+made 06_space eval space
+made 06_rays eval rays "${scenes[@]}"
 made 07_build build "${scenes[0]}"
 made 08_sim sim "${scenes[0]}"
 made 09_refit refit "${scenes[0]}" "${scenes[0]}" --twist 0.2 --frames 4
 made 10_animate animate 'proc:explode,time={time}'
 made 11_bench bench
+# picture NAME SCENE ARGUMENT...: four images of a scene through one kind of rays.
+picture() {
+  local name=$1
+  shift
+  for image in shaded box-tests triangle-tests difference; do
+    made "12_trace_${name}_$image" trace "$@" --image "$image" -o "$folder/${name}_$image.png"
+  done
+}
+for scene in "${scenes[@]}"; do
+  name=$(basename "${scene//:/_}")
+  picture "${name%%[.,]*}" "$scene" --rays ambient-occlusion
+  made "13_hits_${name%%[.,]*}" trace "$scene" --compare embree --incoherent 200000 --width 128 --height 96
+done
+picture bounce "bounce,count=256:${scenes[0]}" --rays ambient-occlusion
 shopt -s nullglob
 exec "$cbvh" report "$folder"/*.json "$folder"/*.png -o "$folder/report.html"

@@ -27,6 +27,8 @@ class ObjectTreeView {
             {a.node.index, b.node.index},
             {a.node, b.node}};
   }
+  const void* first_of(const Opened&, std::size_t) const { return tree_; }  // unknown here
+  static constexpr std::size_t kPairBytes = sizeof(ObjectTree);
   static const Node& child(const Node&, const Opened& opened, std::size_t c) { return opened.node[c]; }
 
  private:

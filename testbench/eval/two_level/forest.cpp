@@ -23,12 +23,18 @@ golden::GridRules rules_of(const golden::FloatTree& tree) {
   return {.min_scale = golden::exactness_limit(tree.largest_magnitude)};
 }
 
-Forest::Forest(golden::TwoLevelScene from, const golden::Builder& builder) : scene(std::move(from)) {
+Forest::Forest(golden::TwoLevelScene from, const golden::Builder& builder)
+    : Forest(std::move(from), builder, [](const golden::FloatTree& tree) {
+        return golden::compress_top_down(tree, rules_of(tree), golden::Code::modulo);
+      }) {}
+
+Forest::Forest(golden::TwoLevelScene from, const golden::Builder& builder, const Compress& compress)
+    : scene(std::move(from)) {
   const Clock::time_point start = Clock::now();
   for (const golden::Mesh& object : scene.objects) floats.push_back(builder.build(object));
   build_seconds = seconds_since(start);
   for (const golden::FloatTree& tree : floats) {
-    compressed.push_back(golden::compress_top_down(tree, rules_of(tree), golden::Code::modulo));
+    compressed.push_back(compress(tree));
     pairs += tree.pairs.size();
   }
   float_trees.scene = compressed_trees.scene = &scene;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "golden/build/builder.h"
@@ -15,7 +16,11 @@ golden::GridRules rules_of(const golden::FloatTree& tree);
 
 /// A scene with the trees of its objects, float and compressed.
 struct Forest {
+  using Compress = std::function<golden::CompressedTree(const golden::FloatTree&)>;
+
+  /// Compressed top-down, with modulo codes.
   Forest(golden::TwoLevelScene from, const golden::Builder& builder);
+  Forest(golden::TwoLevelScene from, const golden::Builder& builder, const Compress& compress);
   Forest(const Forest&) = delete;
   Forest& operator=(const Forest&) = delete;
 

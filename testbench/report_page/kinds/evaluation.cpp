@@ -34,7 +34,7 @@ Markup show(const Json& json, Figures& figures) {
 }  // namespace
 
 ResultKind evaluation_kind() {
-  return {"evaluation", "cbvh eval|eval builders|eval space|eval two-level --json",
+  return {"evaluation", "cbvh eval|eval builders|eval rays|eval space|eval two-level|trace --compare --json",
           {"tables"},   Chapter::evaluations,
           tally,        show};
 }

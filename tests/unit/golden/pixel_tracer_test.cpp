@@ -21,9 +21,10 @@ constexpr unsigned kWidth = 24;
 constexpr unsigned kHeight = 16;
 
 template <class View>
-std::vector<Pixel> picture(const View& view, const Mesh& mesh, const Camera& camera, RayKind kind, unsigned samples) {
-  PixelTracer tracer(view, mesh, camera, kind, samples);
-  std::vector<Pixel> pixels;
+std::vector<Pixel<Hit>> picture(const View& view, const Mesh& mesh, const Camera& camera, RayKind kind,
+                                unsigned samples) {
+  PixelTracer tracer(TracedMesh(view, mesh), camera, kind, samples);
+  std::vector<Pixel<Hit>> pixels;
   for (unsigned y = 0; y < kHeight; ++y) {
     for (unsigned x = 0; x < kWidth; ++x) pixels.push_back(tracer.trace(x, y, kWidth, kHeight));
   }
@@ -74,8 +75,8 @@ TEST(PixelTracer, pixels_are_the_same_through_every_tree_but_for_their_tests) {
     const CompressedTree compressed = compress_streaming(tree, rules, Code::modulo, 3).tree;
     const Camera camera = Camera::inside(tree.scene);
     for (const RayKind kind : {RayKind::primary, RayKind::occlusion, RayKind::path}) {
-      const std::vector<Pixel> wanted = picture(FloatTreeView(tree), mesh, camera, kind, 2);
-      const std::vector<Pixel> found = picture(CompressedTreeView(compressed), mesh, camera, kind, 2);
+      const std::vector<Pixel<Hit>> wanted = picture(FloatTreeView(tree), mesh, camera, kind, 2);
+      const std::vector<Pixel<Hit>> found = picture(CompressedTreeView(compressed), mesh, camera, kind, 2);
       for (std::size_t i = 0; i < wanted.size(); ++i) {
         ASSERT_EQ(found[i].hit, wanted[i].hit) << scene << ", pixel " << i;
         ASSERT_EQ(found[i].normal, wanted[i].normal) << scene << ", pixel " << i;
@@ -100,12 +101,12 @@ TEST(PixelTracer, nothing_hides_an_infinite_floor) {
   const FloatTree tree = build_lbvh(mesh);
   const Camera camera("camera", {0, 10, 0}, {0, 0, 3}, {0, 1, 0}, 0.3);
   double light = 0;
-  for (const Pixel& pixel : picture(FloatTreeView(tree), mesh, camera, RayKind::occlusion, 3)) {
+  for (const Pixel<Hit>& pixel : picture(FloatTreeView(tree), mesh, camera, RayKind::occlusion, 3)) {
     ASSERT_EQ(pixel.light, 1);
     ASSERT_EQ(pixel.normal, glm::dvec3(0, 1, 0));
     ASSERT_EQ(pixel.secondary.rays, 3U);
   }
-  for (const Pixel& pixel : picture(FloatTreeView(tree), mesh, camera, RayKind::path, 16)) {
+  for (const Pixel<Hit>& pixel : picture(FloatTreeView(tree), mesh, camera, RayKind::path, 16)) {
     ASSERT_EQ(pixel.secondary.rays, 16U) << "every path leaves at once";
     light += pixel.light;
   }
@@ -117,14 +118,14 @@ TEST(PixelTracer, no_ray_leaves_a_closed_surface) {
   const FloatTree tree = build_lbvh(mesh);
   const glm::dvec3 middle = (glm::dvec3(tree.scene.lower) + glm::dvec3(tree.scene.upper)) * 0.5;
   const Camera camera("camera", middle, middle + glm::dvec3(1, 0, 0), {0, 1, 0}, 0.5);
-  for (const Pixel& pixel : picture(FloatTreeView(tree), mesh, camera, RayKind::path, 2)) {
+  for (const Pixel<Hit>& pixel : picture(FloatTreeView(tree), mesh, camera, RayKind::path, 2)) {
     ASSERT_NE(pixel.hit, Hit());
     ASSERT_EQ(pixel.light, 0);
     ASSERT_EQ(pixel.secondary.rays, 2U * kMostBounces);
   }
   double hidden = 0;
   std::size_t rays = 0;
-  for (const Pixel& pixel : picture(FloatTreeView(tree), mesh, camera, RayKind::occlusion, 200)) {
+  for (const Pixel<Hit>& pixel : picture(FloatTreeView(tree), mesh, camera, RayKind::occlusion, 200)) {
     hidden += (1 - pixel.light) * 200;
     rays += pixel.secondary.rays;
   }

@@ -158,6 +158,38 @@ TEST(TraceCompressed, rays_that_never_stop_test_the_decoded_boxes_and_at_least_t
   EXPECT_GT(more, 100U);
 }
 
+TEST(TraceCompressed, the_view_opens_what_the_golden_decodes) {
+  std::size_t pairs = 0;
+  for (const char* scene :
+       {"proc:spheres,triangles=1000", "proc:hairball,triangles=500", "proc:terrain,triangles=500"}) {
+    const FloatTree tree = build_lbvh(load_scene(scene));
+    for (int bits = 2; bits <= 8; ++bits) {
+      for (const ScaleRule rule : {ScaleRule::equation2, ScaleRule::figure5}) {
+        const int limit = exactness_limit(tree.largest_magnitude);
+        for (const int min_scale : {limit, limit + 16}) {
+          const CompressedTree compressed =
+              compress_top_down(tree, {bits, min_scale, rule}, bits % 2 == 0 ? Code::modulo : Code::relative);
+          const std::vector<std::array<Box, 2>> boxes = decode_boxes(compressed);
+          const CompressedTreeView view(compressed);
+          std::vector<CompressedTreeView::Node> nodes(compressed.pairs.size());
+          nodes.back() = view.root();
+          visit_pairs<std::int64_t>(compressed, [&](std::uint32_t index, const auto& context, const auto&) {
+            ASSERT_EQ(nodes[index].context, context) << scene << ", N = " << bits << ", pair " << index;
+            const CompressedTreeView::Opened opened = view.open(nodes[index]);
+            for (std::size_t c = 0; c < 2; ++c) {
+              ASSERT_EQ(opened.box[c].lower, boxes[index][c].lower);
+              ASSERT_EQ(opened.box[c].upper, boxes[index][c].upper);
+              if (!opened.leaf[c]) nodes[opened.pointer[c]] = view.child(nodes[index], opened, c);
+            }
+            ++pairs;
+          });
+        }
+      }
+    }
+  }
+  EXPECT_GT(pairs, 20000U);
+}
+
 TEST(TraceCompressed, a_minimum_scale_below_the_exactness_limit_is_refused) {
   const Mesh mesh = load_scene("proc:soup,triangles=20");
   const FloatTree tree = build_lbvh(mesh);

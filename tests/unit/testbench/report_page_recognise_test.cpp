@@ -183,16 +183,18 @@ Json traced(std::uint64_t different) {
           {"compressed", through},
           {"ratio", {{"primary", {{"box_tests", 1.07}, {"triangle_tests", nullptr}}}}},
           {"different_pixels", different},
+          {"tree_checks", 2},
+          {"different_trees", different > 0 ? 1 : 0},
           {"made_by", {{"version", "1"}, {"command_line", "cbvh trace proc:cloth -o cloth.png"}}}};
 }
 
-TEST(Document, every_pixel_of_a_traced_picture_is_a_check) {
+TEST(Document, every_pixel_and_every_tree_of_a_traced_picture_is_a_check) {
   Contents contents;
   recognise("a.json", traced(0).dump(), contents);
-  EXPECT_EQ(tally_of(contents).passed, 12);
+  EXPECT_EQ(tally_of(contents).passed, 12 + 2);
   recognise("b.json", traced(5).dump(), contents);
-  EXPECT_EQ(tally_of(contents).passed, 12 + 7);
-  EXPECT_EQ(tally_of(contents).failed, 5);
+  EXPECT_EQ(tally_of(contents).passed, 12 + 2 + 7 + 1);
+  EXPECT_EQ(tally_of(contents).failed, 5 + 1);
   const std::string page = report_page(contents);
   EXPECT_NE(page.find("primary rays, box tests: 1.07 (the paper&#39;s average: 1.08)."), std::string::npos);
   EXPECT_EQ(page.find("primary rays, triangle tests"), std::string::npos) << "a ratio there is not";
