@@ -9,10 +9,10 @@
 
 namespace cbvh::golden {
 
-void SubtreeArrays::Free::operator()(Reference* array) const { std::allocator<Reference>().deallocate(array, count); }
+void SubtreeArrays::Free::operator()(Reference* array) const { Unwritten<Reference>().deallocate(array, count); }
 
 std::unique_ptr<Reference[], SubtreeArrays::Free> SubtreeArrays::unwritten(std::size_t count) {
-  return {std::allocator<Reference>().allocate(count), Free{count}};
+  return {Unwritten<Reference>().allocate(count), Free{count}};
 }
 
 SubtreeArrays::SubtreeArrays(std::uint32_t count) : count_(count), buffers_{unwritten(count), unwritten(count)} {
