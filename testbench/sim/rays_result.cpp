@@ -4,7 +4,7 @@
 #include "golden/trace/camera.h"
 #include "golden/trace/random.h"
 #include "golden/trace/surface.h"
-#include "golden/trace/traverse.h"
+#include "golden/trace/traced_mesh.h"
 #include "testbench/sim/simulate_rays.h"
 
 namespace cbvh::testbench {
@@ -13,7 +13,7 @@ std::vector<golden::Ray> image_rays(const golden::Mesh& mesh, const golden::Floa
                                     unsigned width, unsigned height) {
   const golden::Camera camera = golden::Camera::around(tree.scene);
   const golden::SceneScale scale = golden::scene_scale(tree.scene);
-  golden::Tracer<golden::FloatTreeView> tracer(golden::FloatTreeView(tree), mesh);
+  golden::TracedMesh<golden::FloatTreeView> traced(golden::FloatTreeView(tree), mesh);
   std::vector<golden::Ray> rays;
   for (unsigned y = 0; y < height; ++y) {
     for (unsigned x = 0; x < width; ++x) {
@@ -22,7 +22,7 @@ std::vector<golden::Ray> image_rays(const golden::Mesh& mesh, const golden::Floa
         rays.push_back(ray);
         continue;
       }
-      const auto surface = golden::surface_at(mesh, ray, tracer.trace(ray, golden::Stop::closest));
+      const auto surface = traced.surface(ray, traced.trace(ray, golden::Stop::closest));
       if (!surface) continue;
       golden::CounterRandom random(std::uint64_t{y} * width + x, 0, 0);
       const golden::Ray next = golden::leaving(*surface, golden::diffuse_direction(surface->normal, random), scale);
