@@ -3,8 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <type_traits>
+#include <span>
 #include <vector>
 
 namespace cbvh::testbench {
@@ -27,10 +26,15 @@ class Responses {
     bytes_.insert(bytes_.end(), bytes, bytes + object_size_);
     latencies_.push_back(latency);
   }
-  void end_case(bool hung = false) {
-    const std::size_t begin = cases_.empty() ? 0 : cases_.back().begin + cases_.back().size;
-    cases_.push_back({begin, latencies_.size() - begin, hung});
+  /// Adds as many responses as latencies; they lie one behind the other.
+  void add(const void* responses, std::span<const std::uint32_t> latencies) {
+    const auto* bytes = static_cast<const std::byte*>(responses);
+    bytes_.insert(bytes_.end(), bytes, bytes + latencies.size() * object_size_);
+    latencies_.insert(latencies_.end(), latencies.begin(), latencies.end());
   }
+  /// Closes a case of the responses that are in none yet; or of the first `size` of them.
+  void end_case(bool hung = false) { end_case(latencies_.size() - next_begin(), hung); }
+  void end_case(std::size_t size, bool hung) { cases_.push_back({next_begin(), size, hung}); }
   void reserve(std::size_t responses) {
     bytes_.reserve(responses * object_size_);
     latencies_.reserve(responses);
@@ -45,6 +49,8 @@ class Responses {
   std::uint64_t cycles = 0;  ///< simulated
 
  private:
+  std::size_t next_begin() const { return cases_.empty() ? 0 : cases_.back().begin + cases_.back().size; }
+
   std::size_t object_size_;
   std::vector<std::byte> bytes_;
   std::vector<std::uint32_t> latencies_;

@@ -23,6 +23,7 @@ struct RunOptions {
   std::optional<std::uint64_t> shuffle;  ///< seed: modules are evaluated in a new random order every cycle
   unsigned memory_latency = 4;           ///< cycles, of units with a memory port
   std::uint64_t hang_cycles = 20000;     ///< without any progress
+  std::uint64_t drain_cycles = 64;       ///< after the last wanted response, in which a surplus one would be seen
 };
 
 /// "none", "both shuffled", ...: a set's mode in reports.

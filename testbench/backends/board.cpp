@@ -3,7 +3,6 @@
 
 #include "testbench/backend/backend.h"
 #include "testbench/board/connection.h"
-#include "testbench/rtl/run.h"
 
 namespace cbvh::testbench {
 
@@ -51,7 +50,7 @@ class BoardBackend final : public Backend {
   Responses run(const vectors::VectorSet& set, const RunOptions& options) const override {
     Collector collector(set);
     const host::RunLimits limits{static_cast<std::uint32_t>(options.hang_cycles),
-                                 static_cast<std::uint16_t>(kDrainCycles)};
+                                 static_cast<std::uint16_t>(options.drain_cycles)};
     collector.responses.cycles = BoardConnection::instance().run(set, limits, collector);
     return std::move(collector.responses);
   }

@@ -19,7 +19,6 @@
 #include "testbench/output.h"
 #include "testbench/rtl/memory_port.h"
 #include "testbench/rtl/ports.h"
-#include "testbench/rtl/run.h"
 
 namespace cbvh::testbench {
 
@@ -207,7 +206,7 @@ std::string simulate_twin(const vectors::VectorSet& set, const RunOptions& optio
                                       fmt::format("+stimuli={}", set.stimulus_count()),
                                       fmt::format("+cases={}", cases),
                                       fmt::format("+hang={}", options.hang_cycles),
-                                      fmt::format("+drain={}", kDrainCycles)};
+                                      fmt::format("+drain={}", options.drain_cycles)};
   if (options.stalls == Stalls::source || options.stalls == Stalls::both) command.emplace_back("+source_stalls");
   if (options.stalls == Stalls::sink || options.stalls == Stalls::both) command.emplace_back("+sink_stalls");
   const std::string log = folder.path() + "/run.log";

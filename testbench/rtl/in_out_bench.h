@@ -49,6 +49,7 @@ InOutTrace<Job, Result> run_in_out(Make&& make, std::span<const Job> jobs, std::
                                  [&] { return acceptance.count() + sink.items.size(); });
   runner.drain();
   trace.results = std::move(sink.items);
+  trace.latencies.reserve(trace.results.size());
   for (std::size_t i = 0; i < trace.results.size(); ++i) {
     const std::size_t job = origin == Origin::first_job ? 0 : i;
     trace.latencies.push_back(job < acceptance.count() ? to_latency(acceptance[job], sink.cycles[i]) : 0);
@@ -75,13 +76,13 @@ Responses stream_cases(Make&& make, const vectors::VectorSet& set, const RunOpti
   Responses responses(sizeof(Result));
   responses.reserve(trace.results.size());
   responses.cycles = trace.cycles;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    if (i < trace.results.size()) responses.add(&trace.results[i], trace.latencies[i]);
-    if (i + 1 == jobs.size()) {  // a surplus response is the last case's
-      for (std::size_t j = i + 1; j < trace.results.size(); ++j) responses.add(&trace.results[j], 0);
-    }
-    responses.end_case(trace.hung && i >= trace.results.size());
+  if (jobs.empty()) return responses;
+  responses.add(trace.results.data(), trace.latencies);
+  for (std::size_t i = 0; i + 1 < jobs.size(); ++i) {
+    const bool given = i < trace.results.size();
+    responses.end_case(given ? 1 : 0, trace.hung && !given);
   }
+  responses.end_case(trace.hung && trace.results.size() < jobs.size());  // a surplus response is the last case's
   return responses;
 }
 
@@ -95,7 +96,7 @@ Responses run_episodes(Make&& make, const vectors::VectorSet& set, const RunOpti
     const auto jobs = typed_stimuli<Job, Result>(set, set.stimulus_range(index));
     const auto trace = run_in_out<Job, Result>(make, jobs, set.response_range(index).size, Origin::first_job, options,
                                                set.head(index).id);
-    for (std::size_t i = 0; i < trace.results.size(); ++i) responses.add(&trace.results[i], trace.latencies[i]);
+    responses.add(trace.results.data(), trace.latencies);
     responses.end_case(trace.hung);
     responses.cycles += trace.cycles;
   }

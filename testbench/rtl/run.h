@@ -8,9 +8,6 @@
 
 namespace cbvh::testbench {
 
-/// Cycles after the last wanted response in which a surplus one would be seen.
-constexpr std::uint64_t kDrainCycles = 64;
-
 /// Steps a clock in the evaluation order asked for, and gives up when nothing moves.
 template <class Clock>
 class Runner {
@@ -19,7 +16,8 @@ class Runner {
       : clock_(clock),
         random_(options.shuffle.value_or(0)),
         shuffled_(options.shuffle),
-        hang_cycles_(options.hang_cycles) {}
+        hang_cycles_(options.hang_cycles),
+        drain_cycles_(options.drain_cycles) {}
 
   void step() { shuffled_ ? clock_.step_shuffled(random_) : clock_.step(); }
 
@@ -38,7 +36,7 @@ class Runner {
     return true;
   }
   void drain() {
-    for (std::uint64_t i = 0; i < kDrainCycles; ++i) step();
+    for (std::uint64_t i = 0; i < drain_cycles_; ++i) step();
   }
 
  private:
@@ -46,6 +44,7 @@ class Runner {
   rtl::SplitMix64 random_;
   bool shuffled_;
   std::uint64_t hang_cycles_;
+  std::uint64_t drain_cycles_;
 };
 
 }  // namespace cbvh::testbench

@@ -34,7 +34,7 @@ StreamedTree stream(const golden::FloatTree& floats, const StreamOptions& option
     result.tree.root[axis] = {static_cast<int>(report.root[axis].scale.value()), report.root[axis].lower.value()};
   }
   result.repairs = report.repairs.value();
-  result.cycles = trace.cycles - kDrainCycles;
+  result.cycles = trace.cycles - options.run.drain_cycles;
   return result;
 }
 

@@ -42,6 +42,7 @@ BatchOutcome BatchRunner::run(const Batch& batch, const OpenUnit& unit, std::siz
   std::size_t surplus_room = (most - static_cast<std::size_t>(result_bytes(batch, unit))) / record_bytes;
   testbench::RunOptions options;
   options.hang_cycles = batch.hang_cycles;
+  options.drain_cycles = batch.drain_cycles;
   std::uint64_t cycles = 0;
   BatchOutcome outcome;
   outcome.results.number = batch.number;

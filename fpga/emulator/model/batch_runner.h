@@ -30,8 +30,7 @@ struct BatchOutcome {
 /// Bytes of the RESULTS payload that has all the responses wanted.
 std::uint64_t result_bytes(const host::Batch& batch, const OpenUnit& unit);
 
-/// Runs batches through the C++ modules, without stalls. A module drains for testbench::kDrainCycles, whatever the
-/// batch says.
+/// Runs batches through the C++ modules, without stalls.
 class BatchRunner {
  public:
   BatchRunner() : backend_(testbench::make_backend("rtl")) {}

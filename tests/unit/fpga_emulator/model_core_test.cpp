@@ -375,6 +375,23 @@ TEST_F(ModelCoreErrors, an_episode_that_lacks_responses_is_hung) {
   EXPECT_LT(results->episodes[0].responses, 3U);
 }
 
+TEST_F(ModelCoreErrors, an_episode_drains_for_as_many_cycles_as_the_batch_says) {
+  open_axis();
+  set = vectors::generate_set("axis_compressor", kParameters, 20, 5);
+  PackedBatch packed(*set);
+  std::vector<std::uint32_t> cycles;
+  for (const std::uint16_t drain : std::initializer_list<std::uint16_t>{0, 1, 1000}) {
+    packed.batch.drain_cycles = drain;
+    talk.send(FrameType::vectors, packed.batch.to_payload());
+    const host::Bytes payload = talk.receive_one(FrameType::results);
+    const auto results = host::BatchResults::parse(payload, set->response_codec().packed_bytes());
+    ASSERT_TRUE(results);
+    cycles.push_back(results->cycles);
+  }
+  EXPECT_EQ(cycles[1], cycles[0] + 1);
+  EXPECT_EQ(cycles[2], cycles[0] + 1000);
+}
+
 TEST_F(ModelCoreErrors, batches_without_stimuli_or_episodes_give_empty_results) {
   open_axis();
   host::Batch batch;

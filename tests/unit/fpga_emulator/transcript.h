@@ -115,6 +115,7 @@ inline Transcript run_vectors(emulator::Core& core, const std::string& unit, int
     for (std::uint32_t begin = 0; begin < episode.stimuli; begin += most, ++part.number) {
       const std::uint32_t size = std::min(most, episode.stimuli - begin);
       part.episodes = {{size, size, episode.packed.subspan(begin * stimulus, size * stimulus)}};
+      part.drain_cycles = static_cast<std::uint16_t>(3 * part.number);
       talk.frame(host::FrameType::vectors, part.to_payload());
     }
   }
