@@ -18,7 +18,7 @@ refuses "unknown 'biuld', known:" help biuld
 refuses "unknown '--treelets', known:" build proc:cloth --treelets 4
 
 expect 0 units --json report.json
-for unit in axis_compressor scale_estimator node_pair_compressor context_stack box_decoder; do says out "$unit"; done
+for unit in axis_compressor scale_estimator node_pair_compressor context_stack box_decoder ray_setter pair_intersector traversal_unit; do says out "$unit"; done
 json "len(j['units']) >= 5 and all(u['stimulus'] and u['response'] and u['latency'] for u in j['units'])"
 json "all('rtl' in u['faces'] and 'golden' in u['faces'] for u in j['units'])"
 expect 0 units axis_compressor
