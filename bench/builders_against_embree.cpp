@@ -148,7 +148,8 @@ int run(int argc, char** argv) {
   CLI::Option* threads =
       app.add_option("--threads", settings.threads, "for both")->check(CLI::Range(1, 256))->capture_default_str();
   app.add_option("--leaf", settings.leaf, "most triangles a leaf")->check(CLI::Range(1, 32))->capture_default_str();
-  app.add_flag("--scaling", settings.scaling, "ours alone: one thread, two, and what two builds at once make possible")->excludes(threads);
+  app.add_flag("--scaling", settings.scaling, "ours alone: one thread, two, and what two builds at once make possible")
+      ->excludes(threads);
   CLI11_PARSE(app, argc, argv);
   settings.scaling ? scale_all(settings) : compare_all(settings);
   return 0;

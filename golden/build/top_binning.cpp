@@ -73,7 +73,7 @@ class TopBinning {
     const TeamMember::Share share = member.share(subtree.count);
     const Reference* const from = arrays_.buffer(subtree.side) + subtree.first;
     Part& mine = parts_[member.index()];
-    mine.bins = SahBins(bins_);
+    mine.bins.clear();
     for (std::uint32_t i = share.first; i < share.last; ++i)
       mine.bins.add(mapping.bin_of(from[i].box().centroid()), from[i].box(), 1);
     member.wait();

@@ -12,14 +12,14 @@ constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
 void* allocate_unwritten(std::size_t bytes) {
   if (bytes < kHugePage) return ::operator new(bytes);
-  void* const place = ::operator new(bytes, std::align_val_t{kHugePage});
+  void* const place = ::operator new (bytes, std::align_val_t{kHugePage});
   madvise(place, bytes, MADV_HUGEPAGE);  // a wish: nothing depends on the answer
   return place;
 }
 
 void free_unwritten(void* place, std::size_t bytes) {
   if (bytes < kHugePage) return ::operator delete(place);
-  ::operator delete(place, std::align_val_t{kHugePage});
+  ::operator delete (place, std::align_val_t{kHugePage});
 }
 
 }  // namespace cbvh::golden
