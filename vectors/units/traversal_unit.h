@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 #include "golden/build/float_tree.h"
 #include "vectors/faces/line_memory.h"
@@ -43,7 +44,9 @@ struct TraversalUnit {
     for (const Stimulus& step : steps) {
       if (static_cast<typename Stimulus::Kind>(step.kind.raw()) != Stimulus::Kind::ray) continue;
       PlainReply reply;
+      std::uint32_t met = 0;
       const auto meet = [&](const PlainCandidate& candidate) {
+        if (++met > kMostVisits) throw golden::InputError("ids", "found a ray without end, want leaves that end");
         const auto hit = hits.find({step.ray.number.raw(), candidate.primitive});
         if (hit != hits.end()) {
           reply.t = std::min(reply.t, hit->second.t.value());
@@ -59,8 +62,14 @@ struct TraversalUnit {
   }
 
  private:
+  /// Of an episode that has a tree in memory: cases that lost steps on the way to a minimal one may not.
+  static constexpr std::uint32_t kMostVisits = 1 << 16;
+
   static PlainRayTree plain_tree(const rtl::RayTree<N>& tree, const LineMemory& memory) {
-    PlainRayTree plain{[&memory, first = tree.pairs.raw()](std::uint32_t index) { return memory.pair(first, index); },
+    PlainRayTree plain{[&memory, first = tree.pairs.raw(), opened = 0U](std::uint32_t index) mutable {
+                         if (++opened > kMostVisits) throw golden::InputError("pairs", "found cycles, want a tree");
+                         return memory.pair(first, index);
+                       },
                        [&memory, first = tree.ids.raw()](std::uint32_t index) {
                          return memory.word(first * rtl::kWordsPerLine + index);
                        },

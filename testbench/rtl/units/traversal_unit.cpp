@@ -81,9 +81,10 @@ void add_events(const std::vector<rtl::RayJob>& rays, std::vector<rtl::RayCandid
   std::for_each(reports.begin(), reports.end(), tell_report);
 }
 
+/// Gives up when more candidates came than there should be responses: a unit that has lost its way may never stop.
 template <int N>
-bool run_steps(std::span<const TraversalStep<N>> steps, const RunOptions& options, std::uint64_t number,
-               Responses& responses) {
+bool run_steps(std::span<const TraversalStep<N>> steps, std::size_t wanted, const RunOptions& options,
+               std::uint64_t number, Responses& responses) {
   rtl::Channel<rtl::RayJob> ray_channel;
   rtl::Channel<rtl::RayCandidate> candidates;
   rtl::Channel<rtl::LeafReply> replies;
@@ -101,7 +102,7 @@ bool run_steps(std::span<const TraversalStep<N>> steps, const RunOptions& option
   rtl::Clock clock(source, ray_channel, unit, pairs, ids, memory, candidates, answerer, replies, reports, sink);
   Runner runner(clock, options);
   const bool finished =
-      runner.run_until([&] { return sink.items.size() >= scene.rays.size(); },
+      runner.run_until([&] { return sink.items.size() >= scene.rays.size() || answerer.met.size() > wanted; },
                        [&] { return memory.reads + candidates.pops() + replies.pops() + sink.items.size(); });
   runner.drain();
   add_events(scene.rays, std::move(answerer.met), std::move(sink.items), responses);
@@ -117,7 +118,8 @@ UnitDriver traversal_unit_driver() {
               Responses responses(sizeof(TraversalEvent));
               for (std::size_t index = 0; index < set.size(); ++index) {
                 const auto steps = typed_stimuli<TraversalStep<N>, TraversalEvent>(set, set.stimulus_range(index));
-                responses.end_case(!run_steps<N>(steps, options, set.head(index).id, responses));
+                const std::size_t wanted = set.response_range(index).size;
+                responses.end_case(!run_steps<N>(steps, wanted, options, set.head(index).id, responses));
               }
               return responses;
             });

@@ -3,7 +3,7 @@
 # sim-rays: what it prints and writes, and what it refuses.
 source "$SOURCE/tests/end_to_end/command/expect.sh"
 
-small="proc:terrain,triangles=2000"
+small="proc:city,triangles=2000"
 for rays in primary diffuse; do
   expect 0 sim-rays "$small" --rays $rays --width 24 --height 24 --json report.json
   says out "every nearest hit is the golden's"
