@@ -25,7 +25,7 @@ int run(const Options& options) {
   RaysJob job = options.job;
   job.code =
       choice("--code", options.code, {"modulo", "relative"}) == 0 ? golden::Code::modulo : golden::Code::relative;
-  const RaysResult result = measure_rays(job);
+  const RaysMeasurement result = measure_rays(job);
   Json json = {{"checks", result.checks}, {"failures", result.failures}, {"tables", Json::object()}};
   std::string text;
   std::string csv = kCsvHeading;

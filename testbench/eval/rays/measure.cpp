@@ -57,12 +57,12 @@ RaysMeasure measure(const std::string& scene, golden::RayKind kind, const Traced
 
 }  // namespace
 
-RaysResult measure_rays(const RaysJob& job) {
+RaysMeasurement measure_rays(const RaysJob& job) {
   check_picture_job(job.picture);
   const golden::Builder builder("--builder", job.builder);
   std::vector<golden::Mesh> meshes;
   for (const std::string& scene : job.scenes) meshes.push_back(golden::load_scene(scene));
-  RaysResult result;
+  RaysMeasurement result;
   Progress progress("eval rays", meshes.size() * kRayKinds.size() * (1 + kTracedBits.size()) * job.picture.height);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const Trees trees(meshes[i], builder, job.code);

@@ -28,13 +28,13 @@ struct RaysMeasure {
   std::array<golden::RayCounts, kTracedBits.size()> compressed;  ///< by kTracedBits
 };
 
-struct RaysResult {
+struct RaysMeasurement {
   std::vector<RaysMeasure> measures;  ///< scene by scene
   std::uint64_t checks = 0;           ///< pixels
   std::vector<std::string> failures;
 };
 
 /// Throws InputError for a scene or builder that is none, and as check_picture_job does, before anything is traced.
-RaysResult measure_rays(const RaysJob& job);
+RaysMeasurement measure_rays(const RaysJob& job);
 
 }  // namespace cbvh::testbench

@@ -22,5 +22,5 @@ done
 expect 0 sim-rays "$small" --width 8 --height 8 --set bits=4
 refuses "--slots: found 65, want 1..64" sim-rays "$small" --slots 65
 refuses "--width: found 0" sim-rays "$small" --width 0
-refuses "--rays: found 'shadow'" sim-rays "$small" --rays shadow
+refuses "--rays: unknown 'shadow'" sim-rays "$small" --rays shadow
 refuses "want a SCENE" sim-rays
