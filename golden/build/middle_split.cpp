@@ -27,7 +27,8 @@ std::uint32_t split_in_middle(std::span<Piece> pieces) {
   const float middle = centroids.centroid()[axis];
   const auto right = std::partition(pieces.begin(), pieces.end(),
                                     [&](const Piece& piece) { return widened(piece.box).centroid()[axis] < middle; });
-  return static_cast<std::uint32_t>(right - pieces.begin());
+  // Halves of subnormals round, so that the middle may lie above all centroids.
+  return right == pieces.end() ? 0 : static_cast<std::uint32_t>(right - pieces.begin());
 }
 
 double middle_split_cost(std::span<Piece> pieces, const BuildLimits& limits) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "built_tree_checks.h"
@@ -258,6 +259,13 @@ TEST(MiddleSplit, the_expected_cost_of_subtrees_is_equation_1s) {
     limits.intersection = 1.5;
     ASSERT_EQ(middle_split_cost(small.pieces, limits), naive_middle_cost(boxes, limits.leaf, 1, 1.5));
   }
+}
+
+TEST(MiddleSplit, nothing_tells_pieces_apart_that_all_lie_below_a_middle_of_subnormals) {
+  const float least = std::numeric_limits<float>::denorm_min();
+  const Box box{glm::vec3(2 * least), glm::vec3(4 * least)};  // its centroid is 3 of them, whose halves round to 2
+  std::vector<Piece> pieces{{box, 0}, {box, 1}};
+  EXPECT_EQ(split_in_middle(pieces), 0U);
 }
 
 /// Figure 1: boxes of two sizes around one point, taking turns.
