@@ -63,7 +63,8 @@ void make_axis(std::size_t case_class, Draft& draft, std::size_t axis, int scale
   const int most = static_cast<int>(rules.max_cells());
   const int cells = parent_cells(case_class, random, most);
   Index& parent = draft.parent[axis];
-  parent = random.between(-most - (random.flip() ? 0 : 100'000), random.flip() ? 0 : 100'000);
+  const int least = -most - (random.flip() ? 0 : 100'000);
+  parent = random.between(least, random.flip() ? 0 : 100'000);
   if (case_class == kHugeBox) parent = random.flip() ? -most / 2 : random.between(-most, 0);
   draft.test.node.grid[axis] = {scale, static_cast<int>(golden::modulo(parent, bits)), cells};
   for (auto& child : draft.cells) child[axis] = child_cells(case_class, parent, cells, random);

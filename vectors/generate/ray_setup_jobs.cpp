@@ -58,13 +58,19 @@ void make_box(std::size_t case_class, rtl::RaySetupJob& job, Random& random) {
     const float b = float_within(std::ldexp(1.0F, size), random);
     set_box(job, axis, a, b);
     if (case_class == kDegenerateBox && random.flip()) set_box(job, axis, a, random.flip() ? a : std::nextafter(a, b));
-    if (case_class == kHugeBox) set_box(job, axis, any_huge_float(random), random.flip() ? a : any_huge_float(random));
+    if (case_class == kHugeBox) {
+      const float huge = any_huge_float(random);
+      set_box(job, axis, huge, random.flip() ? a : any_huge_float(random));
+    }
     if (case_class == kFarApart) {
       const int near = random.between(-140, 126);
       const float first = of_size(near, random);
       set_box(job, axis, first, of_size(random.between(-140, 126), random));
     }
-    if (case_class == kSubnormalOffset) set_box(job, axis, any_tiny_float(random), any_tiny_float(random));
+    if (case_class == kSubnormalOffset) {
+      const float tiny = any_tiny_float(random);
+      set_box(job, axis, tiny, any_tiny_float(random));
+    }
     if (case_class == kInfiniteEdge) {
       const std::uint64_t edges = 1 + random.below(3);
       if ((edges & 1) != 0) job.root.lower[axis] = Float32::of(-kInfinity);
