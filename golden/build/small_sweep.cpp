@@ -23,12 +23,12 @@ SmallSweep::SmallSweep(std::span<const Reference> references) {
     std::array<const WideBox*, kMost> order;  // as many as there are references
     for (std::size_t i = 0; i < count; ++i) order[static_cast<std::size_t>(ranks_[i][axis])] = &references[i].box();
     std::array<double, kMost> right_cost;
-    WideBox box = *order[count - 1];
+    WideBox box;
     for (std::size_t i = count - 1; i > 0; --i) {
       box.enclose(*order[i]);
       right_cost[i] = half_area(box) * static_cast<double>(count - i);
     }
-    box = *order[0];
+    box = {};
     for (std::size_t i = 1; i < count; ++i) {
       box.enclose(*order[i - 1]);
       const double cost = half_area(box) * static_cast<double>(i) + right_cost[i];
