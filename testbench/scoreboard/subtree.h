@@ -12,8 +12,8 @@ namespace cbvh::testbench {
 const vectors::PayloadCodec& subtree_codec();
 
 /// Every proper subtree of one tree, given and returned as the objects of its stream, smallest first. Emission is depth
-/// first, so a subtree is a stretch of the stream; its pointers are moved and its last pair becomes the root. Of several
-/// trees in one stream, none.
+/// first, so a subtree is a stretch of the stream; its pointers are moved and its last pair becomes the root. Of
+/// several trees in one stream, none.
 std::vector<std::vector<std::vector<std::uint8_t>>> subtrees(const std::vector<std::vector<std::uint8_t>>& tree);
 
 }  // namespace cbvh::testbench
