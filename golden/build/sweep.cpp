@@ -23,8 +23,8 @@ struct Range {
 
 class SweepBuild {
  public:
-  SweepBuild(const std::vector<Box>& boxes, const BuildLimits& limits)
-      : limits_(limits), right_cost_(boxes.size()), is_left_(boxes.size()), moved_(boxes.size()) {
+  SweepBuild(const std::vector<Box>& boxes, const BuildLimits& limits, SweepSort sort)
+      : limits_(limits), sort_(sort), right_cost_(boxes.size()), is_left_(boxes.size()), moved_(boxes.size()) {
     const auto count = static_cast<std::uint32_t>(boxes.size());
     boxes_.reserve(count);
     for (const Box& box : boxes) boxes_.push_back(widened(box));
@@ -49,6 +49,7 @@ class SweepBuild {
     for (std::uint32_t i = 0; i < node.count; ++i) box.enclose(boxes_[orders_[0][node.first + i]]);
     const double area = half_area(box);
     if (limits_.prefer_leaf(node.count, node.levels, area, 0)) return make_leaf(node, box);
+    if (sort_ == SweepSort::in_nodes) sort(node);
     Split split = best_split(node);
     if (limits_.prefer_leaf(node.count, node.levels, area, split.cost)) return make_leaf(node, box);
     if (!limits_.usable(split, area, node.count, node.levels)) split = median(node);
@@ -57,6 +58,17 @@ class SweepBuild {
     build({node.first, split.left, node.below, node.below + 2, node.levels - 1});
     build({node.first + split.left, node.count - split.left, node.below + 1, node.below + 2 * split.left,
            node.levels - 1});
+  }
+
+  void sort(const Range& node) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto first = orders_[static_cast<std::size_t>(axis)].begin() + node.first;
+      std::sort(first, first + node.count, [&](std::uint32_t a, std::uint32_t b) {
+        const float left = centroid(a, axis);
+        const float right = centroid(b, axis);
+        return left < right || (left == right && a < b);
+      });
+    }
   }
 
   /// Every position of every axis. `node` has at least two triangles.
@@ -91,9 +103,16 @@ class SweepBuild {
     return {0, longest_axis(centroids), node.count / 2, node.count / 2};
   }
 
-  /// Moves those left of the split to the front of all orders; each side keeps its order.
+  /// Moves those left of the split to the front of all orders; each side keeps its order, or takes the split axis'.
   void partition(const Range& node, const Split& split) {
     const auto split_axis = static_cast<std::size_t>(split.axis);
+    if (sort_ == SweepSort::in_nodes) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (axis == split_axis) continue;
+        std::copy_n(orders_[split_axis].begin() + node.first, node.count, orders_[axis].begin() + node.first);
+      }
+      return;
+    }
     for (std::uint32_t i = 0; i < node.count; ++i) is_left_[orders_[split_axis][node.first + i]] = i < split.left;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (axis == split_axis) continue;
@@ -118,6 +137,7 @@ class SweepBuild {
   }
 
   BuildLimits limits_;
+  SweepSort sort_;
   std::vector<WideBox> boxes_;                        ///< by triangle
   std::array<std::vector<std::uint32_t>, 3> orders_;  ///< triangles by centroid; equal ones in input order
   std::vector<double> right_cost_;                    ///< half area times count of those at the entry and behind
@@ -129,18 +149,26 @@ class SweepBuild {
 FloatTree build(const Mesh& mesh, const OptionValues& options) {
   const std::vector<Box> boxes = triangle_boxes(mesh);
   const BuildLimits limits = build_limits(options, boxes.size(), mesh.name);
-  return emit(sweep_tree(boxes, limits), boxes.size(), mesh.name);
+  const auto sort = options.word("sort") == 1 ? SweepSort::in_nodes : SweepSort::once;
+  return emit(sweep_tree(boxes, limits, sort), boxes.size(), mesh.name);
+}
+
+std::vector<Option> sweep_options() {
+  std::vector<Option> options = limit_options();
+  options.push_back(
+      word_option("sort", "centroids: once, or anew in every node; the tree is the same", {"once", "node"}));
+  return options;
 }
 
 }  // namespace
 
-NodeTree sweep_tree(const std::vector<Box>& boxes, const BuildLimits& limits) {
-  return SweepBuild(boxes, limits).take();
+NodeTree sweep_tree(const std::vector<Box>& boxes, const BuildLimits& limits, SweepSort sort) {
+  return SweepBuild(boxes, limits, sort).take();
 }
 
 BuilderKind sweep_builder() {
   return {"sweep", "SAH at every centroid of three axes (Wald, Ize, Parker, what section 4 compares with)",
-          limit_options(), build};
+          sweep_options(), build};
 }
 
 }  // namespace cbvh::golden

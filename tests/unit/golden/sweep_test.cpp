@@ -45,6 +45,14 @@ TEST(Sweep, trees_of_trouble_are_tight_within_their_depth_and_stream_as_top_down
   }
 }
 
+TEST(Sweep, is_the_same_tree_when_every_node_sorts_its_triangles) {
+  for (std::uint64_t id = 0; id < 96; ++id) {
+    const Mesh mesh = trouble_scene(kTroubles[id % kTroubles.size()], id, 300);
+    expect_same_tree(build("sweep,leaf=2,sort=node", mesh), build("sweep,leaf=2", mesh), mesh.name);
+    if (HasFatalFailure()) return;
+  }
+}
+
 TEST(RadixOrder, is_the_stable_order_of_floats_of_all_signs_and_magnitudes) {
   std::vector<float> keys;
   std::uint64_t state = 1;
