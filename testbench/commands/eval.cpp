@@ -8,6 +8,7 @@
 #include "golden/scene/load.h"
 #include "testbench/command_line.h"
 #include "testbench/eval/builders/command.h"
+#include "testbench/eval/findings.h"
 #include "testbench/eval/rays/command.h"
 #include "testbench/eval/sections.h"
 #include "testbench/eval/space/command.h"
@@ -74,35 +75,16 @@ EvalJob make_job(const Options& options, const std::vector<Section>& sections) {
 int run(const Options& options) {
   const std::vector<Section> sections = chosen_sections(options.only);
   const std::vector<SceneMeasure> scenes = measure_scenes(make_job(options, sections));
-  std::vector<Table> tables = {scenes_table(scenes)};
+  Findings findings;
+  findings.add_all(scenes);
+  findings.tables = {scenes_table(scenes)};
   for (const Section& section : sections) {
-    for (Table& table : section.tables(scenes)) tables.push_back(std::move(table));
+    for (Table& table : section.tables(scenes)) findings.tables.push_back(std::move(table));
   }
-  std::uint64_t checks = 0;
-  std::vector<std::string> failures;
-  for (const SceneMeasure& scene : scenes) {
-    checks += scene.checks;
-    failures.insert(failures.end(), scene.failures.begin(), scene.failures.end());
-  }
-  Json json = {{"scale_rule", options.scale_rule},
-               {"min_scale", options.min_scale},
-               {"checks", checks},
-               {"failures", failures},
-               {"tables", Json::object()}};
-  std::string text = fmt::format("# Evaluation of {} scenes: scale rule {}, minimum scale {}\n\n", scenes.size(),
-                                 options.scale_rule, options.min_scale);
-  std::string csv = kCsvHeading;
-  for (const Table& table : tables) {
-    json["tables"][table.key] = to_json(table);
-    csv += to_csv(table);
-    if (table.in_text) text += to_markdown(table);
-  }
-  for (const std::string& failure : failures) text += fmt::format("FAILED: {}\n", failure);
-  text += fmt::format("{} checks passed, {} failed\n", checks - failures.size(), failures.size());
-  options.output.text(text);
-  options.output.csv(csv);
-  options.output.json(json);
-  return failures.empty() && checks > 0 ? kPass : kMismatch;
+  return report(findings, options.output,
+                fmt::format("# Evaluation of {} scenes: scale rule {}, minimum scale {}\n\n", scenes.size(),
+                            options.scale_rule, options.min_scale),
+                {{"scale_rule", options.scale_rule}, {"min_scale", options.min_scale}});
 }
 
 }  // namespace

@@ -1,13 +1,11 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "testbench/eval/builders/command.h"
 
-#include <fmt/format.h>
-
 #include "golden/build/builder.h"
 #include "golden/input_error.h"
 #include "testbench/eval/builders/measure.h"
 #include "testbench/eval/builders/tables.h"
-#include "testbench/exit_code.h"
+#include "testbench/eval/findings.h"
 #include "testbench/output.h"
 
 namespace cbvh::testbench {
@@ -33,26 +31,10 @@ int run(const Options& options) {
   if (job.builders.empty()) job.builders = all_builders();
   if (job.repeats == 0) throw golden::InputError("--repeats", "found 0, want 1 or more");
   const std::vector<BuilderMeasure> measures = measure_builders(job);
-  std::uint64_t checks = 0;
-  std::vector<std::string> failures;
-  for (const BuilderMeasure& measure : measures) {
-    checks += measure.checks;
-    failures.insert(failures.end(), measure.failures.begin(), measure.failures.end());
-  }
-  Json json = {{"checks", checks}, {"failures", failures}, {"tables", Json::object()}};
-  std::string text;
-  std::string csv = kCsvHeading;
-  for (const Table& table : {builder_trees_table(measures), builder_compression_table(measures)}) {
-    json["tables"][table.key] = to_json(table);
-    csv += to_csv(table);
-    text += to_markdown(table);
-  }
-  for (const std::string& failure : failures) text += fmt::format("FAILED: {}\n", failure);
-  text += fmt::format("{} checks passed, {} failed\n", checks - failures.size(), failures.size());
-  options.output.text(text);
-  options.output.csv(csv);
-  options.output.json(json);
-  return failures.empty() && checks > 0 ? kPass : kMismatch;
+  Findings findings;
+  findings.add_all(measures);
+  findings.tables = {builder_trees_table(measures), builder_compression_table(measures)};
+  return report(findings, options.output);
 }
 
 }  // namespace

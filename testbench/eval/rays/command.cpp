@@ -1,12 +1,10 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "testbench/eval/rays/command.h"
 
-#include <fmt/format.h>
-
 #include "golden/build/builder.h"
+#include "testbench/eval/findings.h"
 #include "testbench/eval/rays/measure.h"
 #include "testbench/eval/rays/tables.h"
-#include "testbench/exit_code.h"
 #include "testbench/option_values.h"
 #include "testbench/output.h"
 
@@ -26,20 +24,10 @@ int run(const Options& options) {
   job.code =
       choice("--code", options.code, {"modulo", "relative"}) == 0 ? golden::Code::modulo : golden::Code::relative;
   const RaysMeasurement result = measure_rays(job);
-  Json json = {{"checks", result.checks}, {"failures", result.failures}, {"tables", Json::object()}};
-  std::string text;
-  std::string csv = kCsvHeading;
-  for (const Table& table : {ray_tests_average_table(result.measures), ray_tests_table(result.measures)}) {
-    json["tables"][table.key] = to_json(table);
-    csv += to_csv(table);
-    text += to_markdown(table);
-  }
-  for (const std::string& failure : result.failures) text += fmt::format("FAILED: {}\n", failure);
-  text += fmt::format("{} checks passed, {} failed\n", result.checks - result.failures.size(), result.failures.size());
-  options.output.text(text);
-  options.output.csv(csv);
-  options.output.json(json);
-  return result.failures.empty() && result.checks > 0 ? kPass : kMismatch;
+  Findings findings;
+  findings.add(result);
+  findings.tables = {ray_tests_average_table(result.measures), ray_tests_table(result.measures)};
+  return report(findings, options.output);
 }
 
 }  // namespace

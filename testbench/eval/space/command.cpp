@@ -1,13 +1,11 @@
 // Copyright the cbvh authors. SPDX-License-Identifier: Apache-2.0
 #include "testbench/eval/space/command.h"
 
-#include <fmt/format.h>
-
 #include "golden/build/builder.h"
 #include "golden/input_error.h"
+#include "testbench/eval/findings.h"
 #include "testbench/eval/space/measure.h"
 #include "testbench/eval/space/tables.h"
-#include "testbench/exit_code.h"
 #include "testbench/output.h"
 
 namespace cbvh::testbench {
@@ -22,29 +20,12 @@ struct Options {
 int run(const Options& options) {
   if (options.job.rays == 0) throw golden::InputError("--rays", "found 0, want 1 or more");
   const SpaceMeasures measures = measure_space(options.job);
-  std::uint64_t checks = 0;
-  std::vector<std::string> failures;
-  for (const auto* const part : {&measures.trees, &measures.overlap}) {
-    for (const SpaceMeasure& measure : *part) {
-      checks += measure.checks;
-      failures.insert(failures.end(), measure.failures.begin(), measure.failures.end());
-    }
-  }
-  Json json = {{"checks", checks}, {"failures", failures}, {"tables", Json::object()}};
-  std::string text;
-  std::string csv = kCsvHeading;
-  for (const Table& table :
-       {space_table(measures.trees), space_rays_table(measures.trees), space_overlap_table(measures.overlap)}) {
-    json["tables"][table.key] = to_json(table);
-    csv += to_csv(table);
-    text += to_markdown(table);
-  }
-  for (const std::string& failure : failures) text += fmt::format("FAILED: {}\n", failure);
-  text += fmt::format("{} checks passed, {} failed\n", checks - failures.size(), failures.size());
-  options.output.text(text);
-  options.output.csv(csv);
-  options.output.json(json);
-  return failures.empty() && checks > 0 ? kPass : kMismatch;
+  Findings findings;
+  findings.add_all(measures.trees);
+  findings.add_all(measures.overlap);
+  findings.tables = {space_table(measures.trees), space_rays_table(measures.trees),
+                     space_overlap_table(measures.overlap)};
+  return report(findings, options.output);
 }
 
 }  // namespace

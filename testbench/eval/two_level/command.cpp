@@ -6,10 +6,10 @@
 #include "golden/build/two_level/top_level.h"
 #include "golden/input_error.h"
 #include "golden/scene/two_level/two_level_scenes.h"
+#include "testbench/eval/findings.h"
 #include "testbench/eval/two_level/frames.h"
 #include "testbench/eval/two_level/measure.h"
 #include "testbench/eval/two_level/table.h"
-#include "testbench/exit_code.h"
 #include "testbench/output.h"
 
 namespace cbvh::testbench {
@@ -27,50 +27,31 @@ struct Options {
   Output output;
 };
 
-int report(const Options& options, const std::vector<Table>& tables, std::uint64_t checks,
-           const std::vector<std::string>& failures) {
-  std::string text;
-  std::string csv = kCsvHeading;
-  Json json = Json::object();
-  for (const Table& table : tables) {
-    if (table.in_text) text += to_markdown(table);
-    csv += to_csv(table);
-    json[table.key] = to_json(table);
-  }
-  for (const std::string& failure : failures) text += fmt::format("FAILED: {}\n", failure);
-  text += fmt::format("{} checks passed, {} failed\n", checks - failures.size(), failures.size());
-  options.output.text(text);
-  options.output.csv(csv);
-  options.output.json({{"checks", checks}, {"failures", failures}, {"tables", json}});
-  return failures.empty() && checks > 0 ? kPass : kMismatch;
-}
-
 int run_frames(const Options& options) {
   const std::vector<FramesMeasure> measures = measure_frames(options.job, options.frames, options.picture);
-  std::uint64_t checks = 0;
-  std::vector<std::string> failures;
+  Findings findings;
   for (const FramesMeasure& measure : measures) {
-    checks += measure.frames.size();
+    findings.checks += measure.frames.size();
     for (const FrameMeasure& frame : measure.frames) {
-      if (!frame.same_picture)
-        failures.push_back(fmt::format("{}, {} of {} trees, frame {}: the picture is not that of the first top level",
-                                       measure.scene, measure.top, measure.trees, frame.frame));
+      if (!frame.same_picture) {
+        findings.failures.push_back(
+            fmt::format("{}, {} of {} trees, frame {}: the picture is not that of the first top level", measure.scene,
+                        measure.top, measure.trees, frame.frame));
+      }
     }
   }
-  return report(options, {frames_table(measures), every_frame_table(measures)}, checks, failures);
+  findings.tables = {frames_table(measures), every_frame_table(measures)};
+  return report(findings, options.output);
 }
 
 int run(const Options& options) {
   if (options.job.repeats == 0) throw golden::InputError("--repeats", "found 0, want 1 or more");
   if (options.frames > 0) return run_frames(options);
   const std::vector<TopLevelMeasure> measures = measure_two_level(options.job);
-  std::uint64_t checks = 0;
-  std::vector<std::string> failures;
-  for (const TopLevelMeasure& measure : measures) {
-    checks += measure.checks;
-    failures.insert(failures.end(), measure.failures.begin(), measure.failures.end());
-  }
-  return report(options, {two_level_table(measures)}, checks, failures);
+  Findings findings;
+  findings.add_all(measures);
+  findings.tables = {two_level_table(measures)};
+  return report(findings, options.output);
 }
 
 }  // namespace
