@@ -15,11 +15,6 @@ using host::FrameType;
 
 constexpr vectors::Parameters kParameters{6, 1};
 
-host::Bytes open(Talk& talk, std::string_view unit, int bits = 6, int treelet = 1) {
-  talk.send(FrameType::open, open_payload(unit, bits, treelet));
-  return talk.receive_one(FrameType::board_open);
-}
-
 std::uint32_t credit_of(const host::Bytes& payload) { return host::parse_credit(payload).value_or(~0U); }
 
 /// Compares a RESULTS payload with the responses of the set's cases; gives the number of responses compared.
@@ -90,7 +85,7 @@ TEST(ModelCore, every_unit_gives_the_goldens_responses_and_latencies) {
     const auto set = vectors::generate_set(unit.name, parameters, 12, 5);
     ModelCore core;
     Talk talk(core);
-    const auto opened = host::OpenAnswer::parse(open(talk, unit.name, parameters.bits, parameters.treelet));
+    const auto opened = host::OpenAnswer::parse(talk.open(unit.name, parameters.bits, parameters.treelet));
     ASSERT_TRUE(opened) << unit.name;
     EXPECT_EQ(opened->stimulus_width, set->stimulus_codec().width);
     EXPECT_EQ(opened->response_width, set->response_codec().width);
@@ -105,13 +100,13 @@ TEST(ModelCore, a_wrong_bit_in_a_stimulus_changes_the_results) {
   const auto set = vectors::generate_set("axis_compressor", kParameters, 64, 5);
   ModelCore core;
   Talk talk(core);
-  open(talk, "axis_compressor");
+  talk.open("axis_compressor");
   PackedBatch packed(*set);
   packed.packed[0][3] ^= 0x40;
   talk.send(FrameType::vectors, packed.batch.to_payload());
   ModelCore other;
   Talk other_talk(other);
-  open(other_talk, "axis_compressor");
+  other_talk.open("axis_compressor");
   other_talk.send(FrameType::vectors, PackedBatch(*set).batch.to_payload());
   EXPECT_NE(talk.receive_one(FrameType::results), other_talk.receive_one(FrameType::results));
 }
@@ -136,7 +131,7 @@ TEST(ModelCore, a_megabyte_of_stimuli_in_one_batch) {
   const auto set = vectors::generate_set("scale_estimator", kParameters, 40'000, 5);
   ModelCore core({.greatest_payload_out = std::uint32_t{1} << 21U});
   Talk talk(core);
-  open(talk, "scale_estimator");
+  talk.open("scale_estimator");
   const host::Bytes payload = PackedBatch(*set).batch.to_payload();
   talk.send(FrameType::vectors, payload);
   EXPECT_EQ(expect_golden(*set, talk.receive_one(FrameType::results)), 40'000U);
@@ -147,7 +142,7 @@ TEST(ModelCore, credit_falls_with_every_queued_batch_and_rises_with_every_result
   const host::Bytes payload = PackedBatch(*set).batch.to_payload();
   ModelCore core({.buffers = 2});
   Talk talk(core);
-  EXPECT_EQ(credit_of(open(talk, "axis_compressor")), 1U + 2U);
+  EXPECT_EQ(credit_of(talk.open("axis_compressor")), 1U + 2U);
   talk.send(FrameType::vectors, payload);  // 1
   talk.send(FrameType::vectors, payload);  // 2
   talk.send(FrameType::vectors, payload);  // 3: too many
@@ -167,7 +162,7 @@ TEST(ModelCore, credit_falls_with_every_queued_batch_and_rises_with_every_result
 TEST(ModelCore, status_counts_what_was_broken_lost_and_doubled) {
   ModelCore core;
   Talk talk(core);
-  open(talk, "axis_compressor");  // 0
+  talk.open("axis_compressor");  // 0
   talk.send_raw(host::Bytes{1, 2, 3});
   host::Bytes broken;
   host::append_frame(broken, FrameType::open, talk.sequence++, open_payload("axis_compressor", 6, 1));  // 1
@@ -202,7 +197,7 @@ TEST(ModelCore, reset_forgets_unit_batches_and_counters_and_counts_from_its_own_
   const host::Bytes payload = PackedBatch(*set).batch.to_payload();
   ModelCore core;
   Talk talk(core);
-  open(talk, "axis_compressor");
+  talk.open("axis_compressor");
   talk.send(FrameType::vectors, payload);
   talk.send_raw(host::Bytes{9});
   talk.sequence = 0;  // behind
@@ -231,94 +226,13 @@ TEST(ModelCore, power_on_forgets_even_half_a_frame) {
   EXPECT_EQ(host::BoardStatus::parse(talk.receive_one(FrameType::board_status))->skipped, 0U);
 }
 
-class ModelCoreErrors : public ::testing::Test {
- protected:
-  void open_axis() { ASSERT_FALSE(open(talk, "axis_compressor").empty()); }
-  host::Bytes axis_batch(std::uint64_t cases) {
-    set = vectors::generate_set("axis_compressor", kParameters, cases, 5);
-    return PackedBatch(*set).batch.to_payload();
-  }
-
-  ModelCore core{{.buffers = 4, .greatest_payload_in = 2000, .greatest_payload_out = 1000}};
-  Talk talk{core};
-  std::unique_ptr<vectors::VectorSet> set;
-};
-
-TEST_F(ModelCoreErrors, version) {
-  host::Bytes bytes;
-  host::append_header(bytes, {2, FrameType::hello, 17, 0});
-  talk.send_raw(bytes);
-  talk.expect_error(ErrorReason::version, 17, 1);
-}
-
-TEST_F(ModelCoreErrors, type) {
-  talk.send(static_cast<FrameType>(0x42));
-  talk.expect_error(ErrorReason::type, 0, 0x42);
-  talk.send(FrameType::results);  // a board's
-  talk.expect_error(ErrorReason::type, 1, 0x83);
-}
-
-TEST_F(ModelCoreErrors, length_above_the_greatest_payload_of_which_the_bytes_are_skipped) {
-  open_axis();
-  talk.send(FrameType::vectors, host::Bytes(2001));
-  talk.expect_error(ErrorReason::length, 1, 2000);
-  talk.send(FrameType::status);
-  EXPECT_EQ(host::BoardStatus::parse(talk.receive_one(FrameType::board_status))->skipped, 2001U + 4U);
-}
-
-TEST_F(ModelCoreErrors, length_that_is_not_what_the_frame_needs) {
-  open_axis();
-  for (const FrameType type : {FrameType::hello, FrameType::status, FrameType::reset}) {
-    talk.send(type, host::Bytes(1));
-    talk.expect_error(ErrorReason::length, talk.sequence - 1, 0);
-  }
-  host::Bytes payload = axis_batch(3);
-  const auto size = static_cast<std::uint32_t>(payload.size());
-  payload.push_back(0);
-  talk.send(FrameType::vectors, payload);
-  talk.expect_error(ErrorReason::length, talk.sequence - 1, size);
-  payload.resize(size - 1);
-  talk.send(FrameType::vectors, payload);
-  talk.expect_error(ErrorReason::length, talk.sequence - 1, size);
-  payload.resize(15);  // within the episode's head
-  talk.send(FrameType::vectors, payload);
-  talk.expect_error(ErrorReason::length, talk.sequence - 1, 20);
-  talk.send(FrameType::vectors, host::Bytes(11));
-  talk.expect_error(ErrorReason::length, talk.sequence - 1, 12);
-  talk.send(FrameType::open, host::Bytes(7));
-  talk.expect_error(ErrorReason::length, talk.sequence - 1, 8);
-}
-
-TEST_F(ModelCoreErrors, unit) {
-  talk.send(FrameType::open, open_payload("no_such_unit", 6, 1));
-  talk.expect_error(ErrorReason::unit, 0, host::unit_id("no_such_unit"));
-}
-
-TEST_F(ModelCoreErrors, parameters) {
-  talk.send(FrameType::open, open_payload("axis_compressor", 9, 1));
-  talk.expect_error(ErrorReason::parameters, 0, 9 + 256);
-  talk.send(FrameType::open, open_payload("axis_compressor", 6, 2));
-  talk.expect_error(ErrorReason::parameters, 1, 6 + 512);
-}
-
-TEST_F(ModelCoreErrors, no_unit_is_open_not_even_the_last_after_an_open_that_failed) {
-  const host::Bytes payload = axis_batch(3);
-  talk.send(FrameType::vectors, payload);
-  talk.expect_error(ErrorReason::not_open, 0, 0);
-  open_axis();
-  talk.send(FrameType::open, open_payload("no_such_unit", 6, 1));
-  talk.expect_error(ErrorReason::unit, 2, host::unit_id("no_such_unit"));
-  talk.send(FrameType::vectors, payload);
-  talk.expect_error(ErrorReason::not_open, 3, 0);
-}
-
 TEST(ModelCore, as_many_responses_as_fit_exactly_and_not_one_more) {
   constexpr std::uint32_t kFit = 40;
   const auto record = static_cast<std::uint32_t>(4 + vectors::find_unit("axis_compressor").response(6).packed_bytes());
   const std::uint32_t greatest = 16 + 4 + kFit * record;
   ModelCore core({.greatest_payload_out = greatest});
   Talk talk(core);
-  open(talk, "axis_compressor");
+  talk.open("axis_compressor");
   const auto set = vectors::generate_set("axis_compressor", kParameters, kFit, 5);
   talk.send(FrameType::vectors, PackedBatch(*set).batch.to_payload());
   EXPECT_EQ(expect_golden(*set, talk.receive_one(FrameType::results)), kFit);
@@ -338,72 +252,9 @@ TEST(ModelCore, bits_above_a_stimulus_mean_nothing) {
   }
   ModelCore core;
   Talk talk(core);
-  open(talk, "axis_compressor");
+  talk.open("axis_compressor");
   talk.send(FrameType::vectors, packed.batch.to_payload());
   EXPECT_EQ(expect_golden(*set, talk.receive_one(FrameType::results)), 20U);
-}
-
-TEST_F(ModelCoreErrors, surplus_responses_are_sent_as_far_as_they_fit) {
-  ASSERT_FALSE(open(talk, "context_stack").empty());
-  set = vectors::generate_set("context_stack", kParameters, 1, 5);
-  PackedBatch packed(*set);
-  packed.batch.episodes[0].wanted = 1;
-  talk.send(FrameType::vectors, packed.batch.to_payload());
-  const std::size_t bytes = set->response_codec().packed_bytes();
-  const host::Bytes payload = talk.receive_one(FrameType::results);
-  const auto results = host::BatchResults::parse(payload, bytes);
-  ASSERT_TRUE(results);
-  const std::size_t fit = (1000 - 16 - 4) / (4 + bytes);
-  EXPECT_EQ(results->episodes[0].responses, std::min(fit, set->response_count()));
-  EXPECT_EQ(results->episodes[0].more, set->response_count() > fit);
-}
-
-TEST_F(ModelCoreErrors, an_episode_that_lacks_responses_is_hung) {
-  ASSERT_FALSE(open(talk, "context_stack").empty());
-  set = vectors::generate_set("context_stack", kParameters, 1, 5);
-  PackedBatch packed(*set);
-  packed.batch.episodes[0].stimuli = 1;
-  packed.packed[0].resize(set->stimulus_codec().packed_bytes());
-  packed.batch.episodes[0].packed = packed.packed[0];
-  packed.batch.episodes[0].wanted = 3;
-  packed.batch.hang_cycles = 100;
-  talk.send(FrameType::vectors, packed.batch.to_payload());
-  const host::Bytes payload = talk.receive_one(FrameType::results);
-  const auto results = host::BatchResults::parse(payload, set->response_codec().packed_bytes());
-  ASSERT_TRUE(results);
-  EXPECT_TRUE(results->episodes[0].hung);
-  EXPECT_LT(results->episodes[0].responses, 3U);
-}
-
-TEST_F(ModelCoreErrors, an_episode_drains_for_as_many_cycles_as_the_batch_says) {
-  open_axis();
-  set = vectors::generate_set("axis_compressor", kParameters, 20, 5);
-  PackedBatch packed(*set);
-  std::vector<std::uint32_t> cycles;
-  for (const std::uint16_t drain : std::initializer_list<std::uint16_t>{0, 1, 1000}) {
-    packed.batch.drain_cycles = drain;
-    talk.send(FrameType::vectors, packed.batch.to_payload());
-    const host::Bytes payload = talk.receive_one(FrameType::results);
-    const auto results = host::BatchResults::parse(payload, set->response_codec().packed_bytes());
-    ASSERT_TRUE(results);
-    cycles.push_back(results->cycles);
-  }
-  EXPECT_EQ(cycles[1], cycles[0] + 1);
-  EXPECT_EQ(cycles[2], cycles[0] + 1000);
-}
-
-TEST_F(ModelCoreErrors, batches_without_stimuli_or_episodes_give_empty_results) {
-  open_axis();
-  host::Batch batch;
-  batch.number = 5;
-  talk.send(FrameType::vectors, batch.to_payload());
-  batch.episodes.push_back({});
-  batch.hang_cycles = 100;
-  talk.send(FrameType::vectors, batch.to_payload());
-  const auto frames = talk.receive();
-  ASSERT_EQ(frames.size(), 2U);
-  EXPECT_EQ(frames[0].payload.size(), 16U);
-  EXPECT_EQ(frames[1].payload.size(), 20U);
 }
 
 }  // namespace

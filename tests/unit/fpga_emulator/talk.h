@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string_view>
 #include <vector>
 
 #include "fpga/emulator/core.h"
@@ -17,6 +18,11 @@ struct ReceivedFrame {
   host::Bytes payload;
 };
 
+inline host::Bytes open_payload(std::string_view unit, int bits, int treelet) {
+  return host::OpenRequest{host::unit_id(unit), static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(treelet)}
+      .to_payload();
+}
+
 /// Sends frames to a core and reads its answers.
 class Talk {
  public:
@@ -26,6 +32,11 @@ class Talk {
     host::Bytes bytes;
     host::append_frame(bytes, type, sequence++, payload);
     core_.receive(bytes);
+  }
+  /// The payload of BOARD_OPEN; an empty one when that fails.
+  host::Bytes open(std::string_view unit, int bits = 6, int treelet = 1) {
+    send(host::FrameType::open, open_payload(unit, bits, treelet));
+    return receive_one(host::FrameType::board_open);
   }
   void send_raw(host::ByteSpan bytes) { core_.receive(bytes); }
 
@@ -89,10 +100,5 @@ struct PackedBatch {
   host::Batch batch;
   std::vector<host::Bytes> packed;
 };
-
-inline host::Bytes open_payload(std::string_view unit, int bits, int treelet) {
-  return host::OpenRequest{host::unit_id(unit), static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(treelet)}
-      .to_payload();
-}
 
 }  // namespace cbvh::testing

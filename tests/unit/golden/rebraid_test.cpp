@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <set>
 
 #include "golden/build/node_tree.h"
@@ -20,14 +19,6 @@
 namespace cbvh::golden {
 namespace {
 
-const char* const kScenes[] = {
-    "bounce,count=1:proc:soup,triangles=50",
-    "bounce,count=2,size=1:proc:soup,triangles=50",
-    "bounce,count=40,size=0.5,time=2:proc:hairball,triangles=500,segments=10",
-    "deal,objects=5:proc:spheres,triangles=800,spheres=5",
-    "deal,objects=40,chunk=3:proc:terrain,triangles=2000",
-    "deal,objects=3,chunk=1000:proc:cloth,sheet=20,height=20",
-};
 const char* const kBuilders[] = {
     "plain",
     "rebraid",
@@ -41,7 +32,7 @@ const char* const kBuilders[] = {
 
 TEST(Rebraid, every_triangle_of_every_instance_once_in_conservative_boxes_and_compressed) {
   int opened = 0;
-  for (const char* spec : kScenes) {
+  for (const char* spec : kTwoLevelScenes) {
     const BuiltScene scene(load_two_level_scene(spec));
     for (const char* builder : kBuilders) {
       const TopLevel top = scene.build(builder);
@@ -84,7 +75,7 @@ TEST(Rebraid, scenes_of_trouble_build_and_every_triangle_is_enclosed) {
 TEST(Rebraid, over_compressed_trees_boxes_are_the_decoded_ones_and_contexts_start_a_traversal) {
   int checks = 0;
   for (const Code code : {Code::modulo, Code::relative}) {
-    for (const char* spec : kScenes) {
+    for (const char* spec : kTwoLevelScenes) {
       const BuiltScene scene(load_two_level_scene(spec), code);
       const InstancedTrees trees = scene.compressed_trees();
       const TopLevel top = TopLevelBuilder("test", "rebraid,width=4,space=16").build(trees);
@@ -132,7 +123,7 @@ TEST(Rebraid, over_compressed_trees_boxes_are_the_decoded_ones_and_contexts_star
 
 TEST(Rebraid, segments_never_overlap_and_a_split_shares_all_space) {
   std::size_t segments = 0;
-  for (const char* spec : kScenes) {
+  for (const char* spec : kTwoLevelScenes) {
     const BuiltScene scene(load_two_level_scene(spec));
     for (const std::uint64_t space : {1U, 2U, 4U, 50U}) {
       RebraidOptions options;
@@ -166,7 +157,7 @@ TEST(Rebraid, a_segment_is_opened_while_there_is_space_and_the_rule_does_not_end
   std::size_t full = 0;
   std::size_t ended = 0;
   std::size_t goes_on = 0;
-  for (const char* spec : kScenes) {
+  for (const char* spec : kTwoLevelScenes) {
     const BuiltScene scene(load_two_level_scene(spec));
     for (const std::uint64_t space : {2U, 4U, 50U}) {
       RebraidOptions options;
@@ -271,7 +262,7 @@ TEST(Rebraid, estimated_counts_divide_the_parents_and_opening_stops_at_what_fits
 }
 
 TEST(Rebraid, the_array_bounds_the_references_and_the_depth_the_levels) {
-  for (const char* spec : kScenes) {
+  for (const char* spec : kTwoLevelScenes) {
     const BuiltScene scene(load_two_level_scene(spec));
     const std::size_t instances = scene.scene.instances.size();
     EXPECT_LE(scene.build("rebraid,space=3,extent=0,overlap=0,triangles=1000000").references.size(), 3 * instances);
@@ -297,91 +288,8 @@ TEST(Rebraid, only_instances_in_place_get_a_place_for_so_many_triangles) {
   EXPECT_EQ(references(kTurned, "rebraid,overlap=0,extent=0,triangles=10"), 20U);
 }
 
-TEST(Rebraid, sah_of_one_instance_is_that_of_its_tree_and_scaling_changes_nothing) {
-  for (const char* spec :
-       {"deal,objects=1:proc:spheres,triangles=800,spheres=5", "deal,objects=1:proc:soup,triangles=90"}) {
-    BuiltScene scene(load_two_level_scene(spec));
-    const SahCosts costs{1.5, 2.5};
-    const double wanted = sah(scene.floats[0], costs);
-    const auto found = [&](const InstancedTrees& trees, const char* builder) {
-      return two_level_sah(TopLevelBuilder("test", builder).build(trees), trees, world_of(trees), costs);
-    };
-    EXPECT_NEAR(found(scene.trees(), "plain"), wanted, wanted * 1e-12);
-    EXPECT_NEAR(found(scene.compressed_trees(), "plain"), sah(scene.compressed[0], costs), wanted * 1e-12);
-    glm::mat4 turned(0.0F);  // a quarter turn, mirrored, twice the size
-    turned[0] = {0, 2, 0, 0};
-    turned[1] = {0, 0, -2, 0};
-    turned[2] = {2, 0, 0, 0};
-    turned[3] = {1, 2, 3, 1};
-    scene.scene.instances[0].to_world = turned;
-    EXPECT_NEAR(found(scene.trees(), "agglomerative"), wanted, wanted * 1e-5) << "but for rounding outwards";
-  }
-}
-
-/// Half the surface of what an instance makes of a box: the edges' vector products.
-double image_area(const Box& box, const glm::mat4& m) {
-  double edge[3][3];
-  for (glm::length_t e = 0; e < 3; ++e) {
-    const double extent = static_cast<double>(box.upper[e]) - static_cast<double>(box.lower[e]);
-    for (glm::length_t row = 0; row < 3; ++row) edge[e][row] = static_cast<double>(m[e][row]) * extent;
-  }
-  double area = 0;
-  for (int e = 0; e < 3; ++e) {
-    const double* a = edge[e];
-    const double* b = edge[(e + 1) % 3];
-    area += std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  }
-  return area;
-}
-
-TEST(Rebraid, sah_of_both_levels_is_the_sum_over_every_node_of_every_instance) {
-  const SahCosts costs{1.5, 2.5};
-  int checks = 0;
-  for (const char* spec : kScenes) {
-    const BuiltScene scene(load_two_level_scene(spec));
-    const InstancedTrees trees = scene.trees();
-    const Box world = world_of(trees);
-    for (const char* builder : {"plain", "agglomerative", "rebraid,open=leaves,space=10,triangles=2"}) {
-      const TopLevel top = scene.build(builder);
-      double sum = 0;
-      const auto subtree = [&](const auto& self, const FloatTree& tree, const glm::mat4& m, bool leaf,
-                               std::uint32_t pointer, double area) -> void {
-        if (leaf) {
-          sum += costs.intersection * leaf_size(tree.primitive_ids, pointer) * area;
-          return;
-        }
-        sum += costs.traversal * area;
-        const FloatPair& pair = tree.pairs[pointer];
-        for (int c = 0; c < 2; ++c) self(self, tree, m, pair.leaf[c], pair.pointer[c], image_area(pair.child[c], m));
-      };
-      const auto node = [&](const auto& self, bool leaf, std::uint32_t pointer, const Box& box) -> void {
-        if (!leaf) {
-          sum += costs.traversal * half_area(box);
-          const FloatPair& pair = top.tree.pairs[pointer];
-          for (int c = 0; c < 2; ++c) self(self, pair.leaf[c], pair.pointer[c], pair.child[c]);
-          return;
-        }
-        const SubtreeReference& to = top.references[top.tree.primitive_ids[pointer] & ~kLastOfLeaf];
-        const Instance& instance = scene.scene.instances[to.instance];
-        if (to.node.kind == ObjectNode::Kind::primitive) {
-          sum += costs.intersection * half_area(box);
-        } else {
-          subtree(subtree, scene.floats[instance.object], instance.to_world, to.node.kind == ObjectNode::Kind::leaf,
-                  to.node.index, half_area(box));
-        }
-      };
-      const bool single = top.tree.pairs.empty();
-      node(node, single, single ? 0 : static_cast<std::uint32_t>(top.tree.pairs.size() - 1), top.tree.scene);
-      const double wanted = sum / half_area(world);
-      EXPECT_NEAR(two_level_sah(top, trees, world, costs), wanted, wanted * 1e-9) << spec << ' ' << builder;
-      ++checks;
-    }
-  }
-  EXPECT_EQ(checks, 18);
-}
-
 TEST(Rebraid, a_description_or_a_tree_that_does_not_fit_is_refused) {
-  const BuiltScene scene(load_two_level_scene(kScenes[3]));
+  const BuiltScene scene(load_two_level_scene(kTwoLevelScenes[3]));
   const auto message = [&](const std::string& builder) -> std::string {
     try {
       scene.build(builder);
@@ -400,7 +308,7 @@ TEST(Rebraid, a_description_or_a_tree_that_does_not_fit_is_refused) {
   std::swap(trees.trees[0], trees.trees[1]);
   trees.trees.pop_back();
   EXPECT_THROW(TopLevelBuilder("test", "plain").build(trees), InputError);
-  const BuiltScene other(load_two_level_scene(kScenes[0]));
+  const BuiltScene other(load_two_level_scene(kTwoLevelScenes[0]));
   trees = scene.trees();
   trees.trees[2] = object_tree(other.floats[0]);
   EXPECT_THROW(TopLevelBuilder("test", "plain").build(trees), InputError);

@@ -16,6 +16,16 @@
 
 namespace cbvh::golden {
 
+/// Instances of one object and objects in place, few and many, apart and overlapping.
+inline constexpr const char* kTwoLevelScenes[] = {
+    "bounce,count=1:proc:soup,triangles=50",
+    "bounce,count=2,size=1:proc:soup,triangles=50",
+    "bounce,count=40,size=0.5,time=2:proc:hairball,triangles=500,segments=10",
+    "deal,objects=5:proc:spheres,triangles=800,spheres=5",
+    "deal,objects=40,chunk=3:proc:terrain,triangles=2000",
+    "deal,objects=3,chunk=1000:proc:cloth,sheet=20,height=20",
+};
+
 /// A scene with trees of its objects, float and compressed.
 struct BuiltScene {
   explicit BuiltScene(TwoLevelScene from, Code code = Code::modulo, const std::string& builder = "lbvh")
