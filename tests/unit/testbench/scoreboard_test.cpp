@@ -8,6 +8,7 @@
 #include "testbench/regression/check_set.h"
 #include "testbench/rtl/in_out_bench.h"
 #include "testbench/scoreboard/minimise.h"
+#include "testbench/scoreboard/subtree.h"
 #include "vectors/registry.h"
 
 namespace cbvh::testbench {
@@ -167,6 +168,33 @@ TEST(Minimise, leaves_trees_whole_that_fail_together_only) {
     ++tried;
   }
   EXPECT_EQ(tried, 4U);
+}
+
+TEST(Subtrees, are_of_one_tree_and_of_several_behind_each_other_there_are_none) {
+  const auto set = vectors::generate_set("stream_compressor", {6, 2}, 23 * 4, 3);
+  int alone = 0;
+  int several = 0;
+  for (std::size_t index = 0; index < set->size(); ++index) {
+    const auto range = set->stimulus_range(index);
+    std::vector<std::vector<std::uint8_t>> stream;
+    int trees = 0;
+    for (std::size_t i = range.begin; i < range.begin + range.size; ++i) {
+      const auto* const job = static_cast<const rtl::StreamJob*>(set->stimulus_at(i));
+      trees += bool(job->root);
+      const auto* const bytes = reinterpret_cast<const std::uint8_t*>(job);
+      stream.emplace_back(bytes, bytes + sizeof(*job));
+    }
+    if (set->class_name(index) == "small-trees" || set->class_name(index) == "two-trees") {
+      ASSERT_GE(trees, 2);
+      EXPECT_TRUE(subtrees(stream).empty()) << "case " << index;
+      ++several;
+    } else if (set->class_name(index) == "balanced") {
+      EXPECT_EQ(subtrees(stream).size(), stream.size() - 1) << "case " << index;
+      ++alone;
+    }
+  }
+  EXPECT_EQ(several, 8);
+  EXPECT_EQ(alone, 4);
 }
 
 /// Stops taking jobs after the third.
